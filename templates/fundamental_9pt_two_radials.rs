@@ -8,10 +8,10 @@
 /// `first[k]` and `second[k]` are the distorted images of point k, relative to the centres of
 /// distortion. An image x lies along (x, 1 + radial |x|^2), the division model: with s for `radial`
 /// in the second image and t in the first. Then x2^T F x1 = 0 is, with f23 = 1, linear in f11, f12,
-/// f21, f22, t f13, t, t f33, s t f33, f13 and in s f31, s f32, s f33, f31, f32, f33, 1: nine points
-/// give the former as combinations of these. The second image is turned, which turns (f13, f23):
-/// for usual motions one of these is 0 if it is not. Both vanish where the first camera moves along
-/// its optical axis; without a rotation such points tell nothing of the distortions.
+/// f21, f22, t f13, t, t f33, s t f33, f13 and in s f31, s f32, s f33, f31, f32, f33, 1: nine
+/// points give the former as combinations of these. The second image is turned, which turns (f13,
+/// f23): for usual motions one of these is 0 if it is not. Both vanish where the first camera moves
+/// along its optical axis; without a rotation such points tell nothing of the distortions.
 fn fundamental_9pt_two_radials(first: [[f64; 2]; 9], second: [[f64; 2]; 9]) -> (s, f_31, f_32, f_33) {
     let [cos, sin] = TURN;
     let turned = second * [[cos, -sin], [sin, cos]];

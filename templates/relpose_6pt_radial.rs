@@ -2,8 +2,8 @@
 /// six points: 52 solutions.
 ///
 /// Kukelova, Byröd, Josephson, Pajdla, Åström, "Fast and robust numerical solutions to minimal
-/// problems for cameras with radial distortion", CVIU 114, 2010. Published as `relpose_6p_rad`, with
-/// e33 = 1, which loses planar motions and those without a rotation: e33 is 0.
+/// problems for cameras with radial distortion", CVIU 114, 2010. Published as `relpose_6p_rad`,
+/// with e33 = 1, which loses planar motions and those without a rotation: e33 is 0.
 ///
 /// `first[k]` and `second[k]` are the distorted images of point k, relative to the centre of
 /// distortion and in units of the focal length. An image x lies along (x, 1 + radial |x|^2), the

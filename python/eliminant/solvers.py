@@ -403,10 +403,10 @@ def fundamental_9pt_two_radials(
     `first[k]` and `second[k]` are the distorted images of point k, relative to the centres of
     distortion. An image x lies along (x, 1 + radial |x|^2), the division model: with s for `radial`
     in the second image and t in the first. Then x2^T F x1 = 0 is, with f23 = 1, linear in f11, f12,
-    f21, f22, t f13, t, t f33, s t f33, f13 and in s f31, s f32, s f33, f31, f32, f33, 1: nine points
-    give the former as combinations of these. The second image is turned, which turns (f13, f23):
-    for usual motions one of these is 0 if it is not. Both vanish where the first camera moves along
-    its optical axis; without a rotation such points tell nothing of the distortions.
+    f21, f22, t f13, t, t f33, s t f33, f13 and in s f31, s f32, s f33, f31, f32, f33, 1: nine
+    points give the former as combinations of these. The second image is turned, which turns (f13,
+    f23): for usual motions one of these is 0 if it is not. Both vanish where the first camera moves
+    along its optical axis; without a rotation such points tell nothing of the distortions.
 
     Data, for one instance, or with n in front for a batch:
 
@@ -1862,8 +1862,8 @@ def relpose_6pt_radial(
     six points: 52 solutions.
 
     Kukelova, Byröd, Josephson, Pajdla, Åström, "Fast and robust numerical solutions to minimal
-    problems for cameras with radial distortion", CVIU 114, 2010. Published as `relpose_6p_rad`, with
-    e33 = 1, which loses planar motions and those without a rotation: e33 is 0.
+    problems for cameras with radial distortion", CVIU 114, 2010. Published as `relpose_6p_rad`,
+    with e33 = 1, which loses planar motions and those without a rotation: e33 is 0.
 
     `first[k]` and `second[k]` are the distorted images of point k, relative to the centre of
     distortion and in units of the focal length. An image x lies along (x, 1 + radial |x|^2), the
