@@ -502,10 +502,10 @@ uint64_t eliminant_fundamental_8pt_radial_one_side_second_attempt_operations(voi
  * `first[k]` and `second[k]` are the distorted images of point k, relative to the centres of
  * distortion. An image x lies along (x, 1 + radial |x|^2), the division model: with s for `radial`
  * in the second image and t in the first. Then x2^T F x1 = 0 is, with f23 = 1, linear in f11, f12,
- * f21, f22, t f13, t, t f33, s t f33, f13 and in s f31, s f32, s f33, f31, f32, f33, 1: nine points
- * give the former as combinations of these. The second image is turned, which turns (f13, f23):
- * for usual motions one of these is 0 if it is not. Both vanish where the first camera moves along
- * its optical axis; without a rotation such points tell nothing of the distortions.
+ * f21, f22, t f13, t, t f33, s t f33, f13 and in s f31, s f32, s f33, f31, f32, f33, 1: nine
+ * points give the former as combinations of these. The second image is turned, which turns (f13,
+ * f23): for usual motions one of these is 0 if it is not. Both vanish where the first camera moves
+ * along its optical axis; without a rotation such points tell nothing of the distortions.
  *
  * Data: first[9][2], second[9][2].
  * A row of 4 numbers, the unknowns: s, f_31, f_32, f_33.
@@ -2524,8 +2524,8 @@ uint64_t eliminant_relpose_6pt_generalized_second_attempt_operations(void);
  * six points: 52 solutions.
  *
  * Kukelova, Byröd, Josephson, Pajdla, Åström, "Fast and robust numerical solutions to minimal
- * problems for cameras with radial distortion", CVIU 114, 2010. Published as `relpose_6p_rad`, with e33 = 1, which loses planar motions
- * and those without a rotation: e33 is 0.
+ * problems for cameras with radial distortion", CVIU 114, 2010. Published as `relpose_6p_rad`,
+ * with e33 = 1, which loses planar motions and those without a rotation: e33 is 0.
  *
  * `first[k]` and `second[k]` are the distorted images of point k, relative to the centre of
  * distortion and in units of the focal length. An image x lies along (x, 1 + radial |x|^2), the
@@ -2637,20 +2637,25 @@ uint64_t eliminant_relpose_7pt_angle_focal_centre_second_attempt_operations(void
  * correspondences: 68 solutions, of which those with a real focal length are returned.
  *
  * Jiang, Kuang, Solem, Åström, "A minimal solution to relative pose with unknown focal length and
- * radial distortion", ACCV 2014. Published as `relpose_7p_fr`, with f33 = 1, which loses
- * planar motions and those without a rotation: f33 is 0.
+ * radial distortion", ACCV 2014. Published as `relpose_7p_fr`.
  *
  * `first[k]` and `second[k]` are the distorted images of point k, relative to the principal point.
- * An image x lies along (x, 1 + radial |x|^2), the division model. Then x1^T F x2 = 0 is, with f23
- * = 1, linear in f11, f21, f12, f22, radial f31, radial^2 f33, f31 and the monomials f32, radial
- * f32, f13, radial f13, 1, radial, radial f33, f33: seven points give the former as combinations
- * of these. How well depends on which image is the first, and on how the second one is turned
- * about its centre: the best of eight choices is taken. The first image is turned, too, which
- * turns (f13, f23): for usual motions one of these is 0 if it is not. With the focal length,
- * diag(focal, focal, 1) F diag(focal, focal, 1) is an essential matrix; `w` is 1 / focal^2.
+ * An image x lies along (x, 1 + radial |x|^2), the division model. Then x1^T F x2 = 0 is, with f33
+ * = 1, linear in f11, f21, f12, f22, radial f31, radial^2, f31 and the monomials f32, radial f32,
+ * f13, radial f13, f23, radial f23, radial, 1: seven points give the former as combinations of
+ * these. How well depends on which image is the first, and on how the second one is turned about
+ * its centre: the best of eight choices is taken. The first image may be turned, too, which turns
+ * (f13, f23), and `radial` may have any unit: they are such that in f31 radial f23 has the
+ * coefficient 0 and radial f13 the coefficient 1. With the focal length, diag(focal, focal, 1) F
+ * diag(focal, focal, 1) is an essential matrix; `w` is 1 / focal^2.
+ *
+ * Everything is p + radial q, two polynomials without `radial`, modulo the equation that gives
+ * radial^2, and most equations are stated times `radial`, too. There are points at infinity, near
+ * which residuals are small; there the factors that are stated not to vanish are small beside
+ * their terms.
  *
  * Data: first[7][2], second[7][2].
- * A row of 5 numbers, the unknowns: w, f_13, f_32, f_33, radial.
+ * A row of 5 numbers, the unknowns: w, f_32, f_13, f_23, radial.
  * A row of 11 numbers, the result radial_focal_pose: fundamental[3][3], focal, radial.
  */
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_FIRST_LENGTH 14
