@@ -118,6 +118,25 @@ fn an_edited_problem_makes_its_template_stale() {
     project.fails_with(&["two_conics.rs", "an earlier version of `two_conics`", SEARCH_AGAIN]);
 }
 
+/// Examples hold templates of their own, which a change of a catalogue problem makes stale.
+#[test]
+fn templates_of_the_examples_belong_to_their_problems() {
+    let examples = templates_folder().join("../examples");
+    let own = [("own-problem/problems", None), ("own-library/problems", None)];
+    for (folder, problems) in [("regenerate/templates", Some(templates_folder()))].into_iter().chain(own) {
+        let folder = examples.join(folder);
+        let entries = fs::read_dir(&folder).expect("a folder of the example");
+        let files = entries.map(|entry| entry.expect("an entry").file_name().into_string().expect("UTF-8"));
+        let names: Vec<String> =
+            files.filter_map(|file| Some(file.strip_suffix(".template.toml")?.to_owned())).collect();
+        assert!(!names.is_empty(), "no template in {}", folder.display());
+        let problems = problems.unwrap_or_else(|| folder.clone());
+        let out = tempfile::tempdir().expect("a folder");
+        let solvers = Generator::new().problems(problems).only(&names).templates(&folder).out_dir(out.path());
+        solvers.run().unwrap_or_else(|error| panic!("{}: {error:?}", folder.display()));
+    }
+}
+
 #[test]
 fn a_template_of_another_problem_is_refused() {
     let project = Project::with(&CONICS[..1]);

@@ -26,39 +26,51 @@ const FOCAL_LENGTH: f64 = 1.4;
 /// The images are rounded to some 1e-16; geometry makes that up to 10,000 times larger.
 const TOLERANCE: f64 = 1e-12;
 
-/// The image of a point.
-fn project(point: [f64; 3]) -> [f64; 2] {
+/// The rotation of the camera.
+fn rotation() -> [[f64; 3]; 3] {
     let length = 1.0 + X * X + Y * Y;
-    let rotation = [
+    let tilt = [
         [1.0 + X * X - Y * Y, 2.0 * X * Y, 2.0 * Y],
         [2.0 * X * Y, 1.0 - X * X + Y * Y, -2.0 * X],
         [-2.0 * Y, 2.0 * X, 1.0 - X * X - Y * Y],
-    ];
-    let turned = rotation.map(|row| row.iter().zip(point).map(|(a, b)| a * b).sum::<f64>() / length);
+    ]
+    .map(|row| row.map(|entry| entry / length));
     let (sin, cos) = ROLL.sin_cos();
-    let across = cos * turned[0] - sin * turned[1] + TRANSLATION[0];
-    let down = sin * turned[0] + cos * turned[1] + TRANSLATION[1];
-    let depth = turned[2] + TRANSLATION[2];
+    let across = [0, 1, 2].map(|k| cos * tilt[0][k] - sin * tilt[1][k]);
+    let down = [0, 1, 2].map(|k| sin * tilt[0][k] + cos * tilt[1][k]);
+    [across, down, tilt[2]]
+}
+
+/// The image of a point.
+fn project(point: [f64; 3]) -> [f64; 2] {
+    let turned = rotation().map(|row| row.iter().zip(point).map(|(a, b)| a * b).sum::<f64>());
+    let [across, down, depth] = [0, 1, 2].map(|k| turned[k] + TRANSLATION[k]);
     [FOCAL_LENGTH * across / depth, FOCAL_LENGTH * down / depth]
 }
 
-/// Which rotation has a camera of unknown focal length that sees four points there?
+/// How far a pose is from that of the camera: the largest difference of a number.
+fn error(pose: &pose_35pt_focal::Pose) -> f64 {
+    let turned = pose.rotation.iter().flatten().zip(rotation().into_iter().flatten()).map(|(a, b)| a - b);
+    let moved = pose.translation.iter().zip(TRANSLATION).map(|(a, b)| a - b);
+    turned.chain(moved).chain([pose.focal - FOCAL_LENGTH]).map(f64::abs).fold(0.0, f64::max)
+}
+
+/// Which pose has a camera of unknown focal length that sees four points there?
 fn poses() -> Result<(), Box<dyn Error>> {
     let images = POINTS.map(project);
     let horizontal = images.map(|image| image[0]);
     let vertical = [images[0][1], images[1][1], images[2][1]];
     // By the template of the catalogue this array has another size.
     let action: [[f64; BASIS]; BASIS] = pose_35pt_focal::action_matrix(&POINTS, &horizontal, &vertical)?;
-    let solutions = pose_35pt_focal::solve(&POINTS, &horizontal, &vertical)?;
-    println!("{} rotations, by the eigenvalues of a {BASIS} x {} matrix:", solutions.len(), action[0].len());
-    let mut nearest = f64::INFINITY;
-    for solution in &solutions {
-        println!("  x {:9.6}, y {:9.6}", solution.x, solution.y);
-        nearest = nearest.min((solution.x - X).abs().max((solution.y - Y).abs()));
+    let poses = pose_35pt_focal::solve_for_pose(&POINTS, &horizontal, &vertical)?;
+    println!("{} poses, by the eigenvalues of a {BASIS} x {} matrix:", poses.len(), action[0].len());
+    for pose in &poses {
+        let [x, y, z] = pose.translation;
+        println!("  focal length {:9.6}, translation {x:9.6}, {y:9.6}, {z:9.6}", pose.focal);
     }
-    match nearest < TOLERANCE {
+    match poses.iter().any(|pose| error(pose) < TOLERANCE) {
         true => Ok(()),
-        false => Err(format!("the camera is turned by ({X}, {Y}), which is none of these").into()),
+        false => Err("none of these is the pose of the camera".into()),
     }
 }
 
