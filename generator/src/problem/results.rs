@@ -202,7 +202,7 @@ impl Interpreter<'_> {
         }
         let span = place(expression);
         match difference.as_scalar() {
-            Some(polynomial) if polynomial.degree() > 0 => {
+            Some(polynomial) if polynomial.degree() > 0 || self.is_scene => {
                 let statement = Statement { polynomial: polynomial.clone(), span, element: String::new() };
                 self.positive.push(statement);
             }
