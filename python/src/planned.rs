@@ -114,11 +114,18 @@ impl Planned {
         py: Python<'py>,
         first: usize,
         trials: usize,
-        seed: u64,
+        (seed, is_scene): (u64, bool),
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Figures<'py>> {
-        let random = RandomInstances { numbers: first..first.saturating_add(trials), seed };
-        figures(py, &self.plan, &self.solver, random, &Tally::new(progress, trials))
+        let scene = self.plan.scene.as_ref().filter(|_| is_scene);
+        let instances = RandomInstances { numbers: first..first.saturating_add(trials), seed, scene };
+        figures(py, &self.plan, &self.solver, &instances, &Tally::new(progress, trials))
+    }
+
+    /// Whether the problem states a scene.
+    #[getter]
+    fn has_scene(&self) -> bool {
+        self.plan.scene.is_some()
     }
 
     #[getter]
