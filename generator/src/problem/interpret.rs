@@ -290,11 +290,6 @@ impl<'a> Interpreter<'a> {
         );
     }
 
-    fn refuse_in_scene(&mut self, expression: &Expr) {
-        let diagnostic = Diagnostic::new("a scene states nothing of unknowns", place(expression));
-        self.report(diagnostic.hint("it computes data; where `depth > 0;` fails another scene is drawn"));
-    }
-
     fn run_binary(&mut self, expression: &Expr, binary: &ExprBinary) {
         match binary.op {
             BinOp::Eq(_) | BinOp::Ne(_) if self.is_scene => self.refuse_in_scene(expression),
@@ -416,16 +411,6 @@ impl<'a> Interpreter<'a> {
         }
         self.charge(usize::try_from(end.saturating_sub(start)).unwrap_or(0), over)?;
         Ok((start..end).map(|i| self.integer(i)).collect())
-    }
-
-    /// Refuses statements about solutions inside helpers.
-    pub(super) fn outside_helpers(&mut self, expression: &Expr) -> Outcome<()> {
-        let Some((name, _)) = self.calls.last().cloned() else { return Ok(()) };
-        Err(self.report(
-            Diagnostic::new("a helper function cannot state equations", place(expression))
-                .label(format!("`{name}` is a helper: it does not return unknowns"))
-                .hint("return the value and state the equation in the problem function"),
-        ))
     }
 
     fn state_equation(&mut self, expression: &Expr, binary: &ExprBinary) {

@@ -320,8 +320,8 @@ fn check_function(function: &ItemFn) -> Vec<Diagnostic> {
     let known = |attribute: &&Attribute| {
         let may_be_scene = unknown_list(&signature.output).is_none() && matches!(attribute.meta, Meta::Path(_));
         let is_named = |name: &str| attribute.path().segments.first().is_some_and(|segment| segment.ident == name);
-        !["doc", "allow", "expect", "rustfmt"].iter().any(|&name| is_named(name))
-            && !(may_be_scene && attribute.path().is_ident(ATTRIBUTE))
+        let is_of_rust = ["doc", "allow", "expect", "rustfmt"].iter().any(|&name| is_named(name));
+        !(is_of_rust || may_be_scene && attribute.path().is_ident(ATTRIBUTE))
     };
     for attribute in function.attrs.iter().filter(known) {
         let diagnostic = Diagnostic::new("unknown attribute of a function", place(attribute));

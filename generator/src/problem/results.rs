@@ -218,6 +218,16 @@ impl Interpreter<'_> {
         }
     }
 
+    /// Refuses statements about solutions inside helpers.
+    pub(super) fn outside_helpers(&mut self, expression: &Expr) -> Outcome<()> {
+        let Some((name, _)) = self.calls.last().cloned() else { return Ok(()) };
+        Err(self.report(
+            Diagnostic::new("a helper function cannot state equations", place(expression))
+                .label(format!("`{name}` is a helper: it does not return unknowns"))
+                .hint("return the value and state the equation in the problem function"),
+        ))
+    }
+
     fn as_elements(&self, value: &Value) -> OutputValue {
         let (shape, elements, is_complex) = self.real_elements(value);
         OutputValue { shape, is_complex, elements: elements.iter().map(plain).collect() }

@@ -173,6 +173,12 @@ impl Interpreter<'_> {
         Ok(Scene { name: function.sig.ident.to_string(), drawn: drawn.to_vec(), graph, data, truth, positive })
     }
 
+    /// Refuses equations and results, which are of unknowns.
+    pub(super) fn refuse_in_scene(&mut self, expression: &Expr) {
+        let diagnostic = Diagnostic::new("a scene states nothing of unknowns", place(expression));
+        self.report(diagnostic.hint("it computes data; where `depth > 0;` fails another scene is drawn"));
+    }
+
     /// The struct of the data and, if there is one, that of the truth and its place among those
     /// that are expected.
     fn returned<'e>(
