@@ -167,7 +167,6 @@ impl Scheduler<'_> {
             nonzero,
             positive,
             output,
-            scene: problem.scene.clone(),
             scalings: problem.scalings.clone(),
         };
         plan.check()?;

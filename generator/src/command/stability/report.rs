@@ -316,7 +316,6 @@ mod tests {
             level,
             data: Vec::new(),
             solutions: Vec::new(),
-            results: Vec::new(),
             note: None,
         };
         Measured { instance, outcome: Outcome::default() }
