@@ -41,3 +41,21 @@ fn rotation_of(quaternion: [f64; 4]) -> [[f64; 3]; 3] {
         [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
     ]
 }
+
+/// A camera that looks from about 4 away at a point and lines in a cube of side 2.
+#[scene]
+fn scene(
+    #[rotation] rotation: [[f64; 3]; 3],
+    shift: [f64; 3],
+    point: [f64; 3],
+    lines: [[[f64; 3]; 2]; 2],
+) -> (Data, Pose) {
+    let translation = [0, 0, 4] + shift;
+    let ray = normalise(rotation * point + translation);
+    let mut normals = [[0; 3]; 2];
+    for k in 0..2 {
+        let [from, to] = lines[k];
+        normals[k] = normalise(cross(rotation * from + translation, rotation * to + translation));
+    }
+    (Data { ray, point, normals, lines }, Pose { rotation, translation })
+}

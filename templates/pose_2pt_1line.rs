@@ -48,3 +48,19 @@ fn rotation_of(known: _, seen: _, known_side: _, side: _, sign: f64) -> [[f64; 3
     let to_dual = [cross(known_side, across), cross(across, known), across];
     [sign * seen, sign * side, cross(seen, side)].t() * to_dual / dot(across, across)
 }
+
+/// A camera that looks from about 4 away at points and a line in a cube of side 2.
+#[scene]
+fn scene(
+    #[rotation] rotation: [[f64; 3]; 3],
+    shift: [f64; 3],
+    points: [[f64; 3]; 2],
+    line: [[f64; 3]; 2],
+) -> (Data, Pose) {
+    let translation = [0, 0, 4] + shift;
+    let rays = [
+        normalise(rotation * points[0] + translation), normalise(rotation * points[1] + translation),
+    ];
+    let normal = normalise(cross(rotation * line[0] + translation, rotation * line[1] + translation));
+    (Data { rays, points, normal, line }, Pose { rotation, translation })
+}

@@ -23,3 +23,17 @@ fn pose_2pt_upright(rays: [[f64; 3]; 2], points: [[f64; 3]; 2]) -> (a, b) {
     let rotation = [[c, 0, s], [0, 1, 0], [-s, 0, c]];
     Pose { rotation: rotation, translation: a * rays[0] - rotation * points[0] }
 }
+
+/// A camera that looks from about 4 away at points in a cube of side 2.
+#[scene]
+fn scene(#[unit] turn: [f64; 2], shift: [f64; 3], points: [[f64; 3]; 2]) -> (Data, Pose) {
+    let [c, s] = turn;
+    let rotation = [[c, 0, s], [0, 1, 0], [-s, 0, c]];
+    let translation = [0, 0, 4] + shift;
+    let mut rays = points;
+    for k in 0..2 {
+        let seen = rotation * points[k] + translation;
+        rays[k] = seen / seen[2];
+    }
+    (Data { rays, points }, Pose { rotation, translation })
+}

@@ -113,3 +113,22 @@ fn row(rotation: _, points: _, horizontal: _, vertical: _, i: f64, j: f64, k: f6
         -down * horizontal[j] * to_j[2] + across * vertical[k] * to_k[2],
     ]
 }
+
+/// A camera that looks from about 4 away at points in a cube of side 2.
+#[scene]
+fn scene(
+    #[rotation] rotation: [[f64; 3]; 3],
+    shift: [f64; 3],
+    zoom: f64,
+    points: [[f64; 3]; 4],
+) -> (Data, Pose) {
+    let translation = [0, 0, 4] + shift;
+    let focal = 3 / 2 + zoom / 2;
+    let mut images = [[0; 2]; 4];
+    for k in 0..4 {
+        let [x, y, depth] = rotation * points[k] + translation;
+        images[k] = focal * [x, y] / depth;
+    }
+    let [horizontal, vertical] = images.t();
+    (Data { points, horizontal, vertical: vertical[0..3] }, Pose { rotation, translation, focal })
+}

@@ -34,3 +34,19 @@ fn rotation_of(quaternion: [f64; 4]) -> [[f64; 3]; 3] {
         [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
     ]
 }
+
+/// A camera that looks from about 4 away at lines in a cube of side 2.
+#[scene]
+fn scene(
+    #[rotation] rotation: [[f64; 3]; 3],
+    shift: [f64; 3],
+    lines: [[[f64; 3]; 2]; 3],
+) -> (Data, Pose) {
+    let translation = [0, 0, 4] + shift;
+    let mut normals = [[0; 3]; 3];
+    for k in 0..3 {
+        let [from, to] = lines[k];
+        normals[k] = normalise(cross(rotation * from + translation, rotation * to + translation));
+    }
+    (Data { normals, lines }, Pose { rotation, translation })
+}

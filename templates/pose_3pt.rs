@@ -22,3 +22,19 @@ fn pose_3pt(rays: [[f64; 3]; 3], points: [[f64; 3]; 3]) -> (distances: [f64; 3])
     let rotation = seen * inverse(known);
     Pose { rotation: rotation, translation: positions[0] - rotation * points[0] }
 }
+
+/// A camera that looks from about 4 away at points in a cube of side 2.
+#[scene]
+fn scene(
+    #[rotation] rotation: [[f64; 3]; 3],
+    shift: [f64; 3],
+    points: [[f64; 3]; 3],
+) -> (Data, Pose) {
+    let translation = [0, 0, 4] + shift;
+    let mut rays = points;
+    for k in 0..3 {
+        let seen = rotation * points[k] + translation;
+        rays[k] = seen / seen[2];
+    }
+    (Data { rays, points }, Pose { rotation, translation })
+}

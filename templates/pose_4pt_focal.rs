@@ -74,3 +74,21 @@ fn focal_of(a: f64, b: f64, c: f64, unit: f64) -> [f64; 2] {
 fn left_of(row: [f64; 4]) -> [f64; 3] {
     [row[0], row[1], row[2]]
 }
+
+/// A camera that looks from about 4 away at points in a cube of side 2.
+#[scene]
+fn scene(
+    #[rotation] rotation: [[f64; 3]; 3],
+    shift: [f64; 3],
+    zoom: f64,
+    points: [[f64; 3]; 4],
+) -> (Data, FocalPose) {
+    let translation = [0, 0, 4] + shift;
+    let focal = 3 / 2 + zoom / 2;
+    let mut images = [[0; 2]; 4];
+    for k in 0..4 {
+        let [x, y, depth] = rotation * points[k] + translation;
+        images[k] = focal * [x, y] / depth;
+    }
+    (Data { points, images }, FocalPose { rotation, translation, focal: [focal, focal] })
+}

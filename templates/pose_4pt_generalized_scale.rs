@@ -62,3 +62,21 @@ fn pose_4pt_generalized_scale(
         residual: unit * dot(null_space([rays[3]])[1], off),
     }
 }
+
+/// Four cameras of a rig of unknown scale that look at points in a cube of side 2.
+#[scene]
+fn scene(
+    #[rotation] rotation: [[f64; 3]; 3],
+    shift: [f64; 3],
+    zoom: f64,
+    centres: [[f64; 3]; 4],
+    points: [[f64; 3]; 4],
+) -> (Data, ScaledPose) {
+    let translation = [0, 0, 4] + shift;
+    let scale = 5 / 4 + zoom;
+    let mut rays = points;
+    for k in 0..4 {
+        rays[k] = normalise(rotation * points[k] + translation - scale * centres[k]);
+    }
+    (Data { centres, rays, points }, ScaledPose { rotation, translation, scale })
+}

@@ -55,3 +55,26 @@ fn turned(point: [f64; 3], row: f64) -> [[f64; 16]; 3] {
     columns[15] = point;
     columns.t()
 }
+
+/// Points 3 to 5 away from a camera that turns and moves little while it takes the image.
+#[scene]
+fn scene(
+    turn: [f64; 3],
+    angular: [f64; 3],
+    position: [f64; 3],
+    moved: [f64; 3],
+    depths: [f64; 6],
+    places: [[f64; 2]; 6],
+) -> (Data, RollingPose) {
+    let rotation = identity(3) + skew(turn / 20);
+    let angular_velocity = angular / 20;
+    let velocity = moved / 20;
+    let images = places / 2;
+    let mut points = [[0; 3]; 6];
+    for k in 0..6 {
+        let [row, column] = images[k];
+        let seen = (4 + depths[k]) * [row, column, 1] - position - row * velocity;
+        points[k] = solve((identity(3) + row * skew(angular_velocity)) * rotation, seen);
+    }
+    (Data { points, images }, RollingPose { rotation, position, angular_velocity, velocity })
+}

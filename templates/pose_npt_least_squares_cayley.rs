@@ -89,3 +89,19 @@ fn cost_of_rotation(means: [[f64; 10]; 6], best: [[f64; 9]; 3]) -> [[f64; 9]; 9]
     }
     cost
 }
+
+/// A camera that looks from about 4 away at 8 points in a cube of side 2.
+#[scene]
+fn scene(
+    #[rotation] rotation: [[f64; 3]; 3],
+    shift: [f64; 3],
+    points: [[f64; 3]; 8],
+) -> (Data, Pose) {
+    let translation = [0, 0, 4] + shift;
+    let mut means = [[0; 10]; 6];
+    for point in points {
+        let seen = rotation * point + translation;
+        means += of_point(seen / seen[2], point) / 8;
+    }
+    (Data { means }, Pose { rotation, translation })
+}

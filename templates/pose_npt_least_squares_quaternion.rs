@@ -97,3 +97,19 @@ fn slopes(q: [f64; 4]) -> [[f64; 9]; 4] {
 fn translation(depth: f64, centre: [f64; 3], shift: [f64; 3], turned_mean: [f64; 3]) -> [f64; 3] {
     depth * centre + shift - turned_mean
 }
+
+/// A camera that looks from about 4 away at 8 points in a cube of side 2.
+#[scene]
+fn scene(
+    #[rotation] rotation: [[f64; 3]; 3],
+    shift: [f64; 3],
+    points: [[f64; 3]; 8],
+) -> (Data, Pose) {
+    let translation = [0, 0, 4] + shift;
+    let mut means = [0; 39];
+    for point in points {
+        let seen = rotation * point + translation;
+        means += of_point([seen[0], seen[1]] / seen[2], point) / 8;
+    }
+    (Data { means }, Pose { rotation, translation })
+}

@@ -74,3 +74,20 @@ fn frame() -> [[f64; 3]; 3] {
         [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
     ] / dot(FRAME, FRAME)
 }
+
+/// A camera that looks from far away at 8 points in a cube of side 2.
+#[scene]
+fn scene(
+    #[rotation] rotation: [[f64; 3]; 3],
+    translation: [f64; 2],
+    zoom: f64,
+    points: [[f64; 3]; 8],
+) -> (Data, WeakPose) {
+    let scale = 3 / 2 + zoom;
+    let mut means = [0; 17];
+    for point in points {
+        let image = scale * [dot(rotation[0], point), dot(rotation[1], point)] + translation;
+        means += of_point(image, point) / 8;
+    }
+    (Data { means }, WeakPose { rotation, scale, translation })
+}

@@ -97,3 +97,30 @@ fn depths(rotation: _, first_i: [f64; 3], second_i: [f64; 3], first_j: [f64; 3],
         [-dot(second_j, rotation[0] * first_normal), -dot(second_j, rotation[1] * first_normal)],
     ]
 }
+
+/// Two cameras that look from about 4 away at points in a cube of side 2, from any sides.
+#[scene]
+fn scene(#[unit] quaternion: [f64; 4], drawn: [f64; 3], points: [[f64; 3]; 3]) -> (Data, RelativePose) {
+    let rotation = of_quaternion(quaternion);
+    let axis = quaternion[1..4];
+    let half_angle = [quaternion[0], norm(axis)];
+    // The motion turns about an axis without moving along it.
+    let shift = drawn - dot(drawn, axis) / dot(axis, axis) * axis;
+    let centre = [0, 0, 4];
+    let [mut first, mut second] = [points, points];
+    for k in 0..3 {
+        first[k] = normalise(points[k] + centre);
+        second[k] = normalise(rotation * points[k] + centre + shift);
+    }
+    let translation = normalise(centre + shift - rotation * centre);
+    (Data { first, second, half_angle }, RelativePose { rotation, translation })
+}
+
+fn of_quaternion(q: [f64; 4]) -> [[f64; 3]; 3] {
+    let [w, x, y, z] = q;
+    [
+        [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
+    ] / dot(q, q)
+}

@@ -73,3 +73,32 @@ fn at(images: [[f64; 2]; 3], depths: [f64; 3], shift: f64, k: f64) -> [f64; 3] {
 fn ray(image: [f64; 2]) -> [f64; 3] {
     [image[0], image[1], 1]
 }
+
+/// Two cameras that look from about 4 away at points in a cube of side 2, from any sides.
+#[scene]
+fn scene(
+    #[rotation] rotation: [[f64; 3]; 3],
+    shift: [f64; 3],
+    zoom: f64,
+    off: [f64; 2],
+    points: [[f64; 3]; 3],
+) -> (Data, DepthPose) {
+    let centre = [0, 0, 4];
+    let scale = 3 / 2 + zoom;
+    let shifts = off / 2;
+    let [mut first, mut second] = [[[0; 2]; 3], [[0; 2]; 3]];
+    let [mut first_depths, mut second_depths] = [[0; 3], [0; 3]];
+    for k in 0..3 {
+        let [x, y, depth] = points[k] + centre;
+        first[k] = [x, y] / depth;
+        first_depths[k] = depth - shifts[0];
+        let [x, y, depth] = rotation * points[k] + centre + shift;
+        second[k] = [x, y] / depth;
+        second_depths[k] = depth / scale - shifts[1];
+    }
+    let translation = centre + shift - rotation * centre;
+    (
+        Data { first, first_depths, second, second_depths },
+        DepthPose { rotation, translation, scale, shifts },
+    )
+}

@@ -49,3 +49,18 @@ fn in_front(second: _, x: f64, y: f64, z: f64, a: f64, b: f64, c: f64, d: f64, e
 fn sign(x: f64) -> f64 {
     x * sqrt(1 / (x * x))
 }
+
+/// Two cameras that look from about 4 away at points in a cube of side 2, from any sides.
+#[scene]
+fn scene(#[unit] turn: [f64; 2], shift: [f64; 3], points: [[f64; 3]; 3]) -> (Data, RelativePose) {
+    let [c, s] = turn;
+    let rotation = [[c, 0, s], [0, 1, 0], [-s, 0, c]];
+    let centre = [0, 0, 4];
+    let [mut first, mut second] = [points, points];
+    for k in 0..3 {
+        first[k] = normalise(points[k] + centre);
+        second[k] = normalise(rotation * points[k] + centre + shift);
+    }
+    let translation = normalise(centre + shift - rotation * centre);
+    (Data { first, second }, RelativePose { rotation, translation })
+}

@@ -121,3 +121,35 @@ fn rotation(u: f64, v: f64, half_angle: [f64; 2]) -> [[[f64; 3]; 3]; 2] {
 fn product(a: [f64; 2], b: [f64; 2], square: f64) -> [f64; 2] {
     [a[0] * b[0] + square * a[1] * b[1], a[0] * b[1] + a[1] * b[0]]
 }
+
+/// Two systems of cameras within a cube of side 1 that look at points in a cube of side 2, about 4
+/// away.
+#[scene]
+fn scene(
+    #[unit] quaternion: [f64; 4],
+    shift: [f64; 3],
+    centres: [[[f64; 3]; 2]; 5],
+    points: [[f64; 3]; 5],
+) -> (Data, Pose) {
+    let rotation = of_quaternion(quaternion);
+    let half_angle = [quaternion[0], norm(quaternion[1..4])];
+    let from = [0, 0, 4];
+    let translation = shift + from - rotation * from;
+    let [mut first, mut second] = [centres, centres];
+    for k in 0..5 {
+        let point = points[k] + from;
+        let [a, b] = centres[k] / 2;
+        first[k] = [a, normalise(point - a)];
+        second[k] = [b, normalise(rotation * point + translation - b)];
+    }
+    (Data { first, second, half_angle }, Pose { rotation, translation })
+}
+
+fn of_quaternion(q: [f64; 4]) -> [[f64; 3]; 3] {
+    let [w, x, y, z] = q;
+    [
+        [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
+    ] / dot(q, q)
+}

@@ -41,24 +41,30 @@ fn along_baseline(e: [[f64; 3]; 3]) -> [f64; 3] {
 
 fn rotation_of(e: [[f64; 3]; 3], ray: [f64; 3], second: [f64; 3]) -> [[f64; 3]; 3] {
     let along = along_baseline(e);
-    let scale = sqrt(1 / dot(REFERENCE, along));
-    rotation_of_baseline(e, ray, second, scale * along[0], scale * along[1], scale * along[2])
+    rotation_of_baseline(e, ray, second, along[0], along[1], along[2])
 }
 
 fn rotation_of_baseline(e: _, ray: [f64; 3], second: [f64; 3], x: f64, y: f64, z: f64) -> [[f64; 3]; 3] {
-    let turned = rotation(e, [x, y, z], 1) * ray;
-    rotation(e, [x, y, z], side([x, y, z], second, turned[0], turned[1], turned[2]))
+    let b = of_length(x, y, z);
+    let turned = rotation(e, b, 1) * ray;
+    rotation(e, b, side(b, second, turned[0], turned[1], turned[2]))
 }
 
 fn translation_of(e: [[f64; 3]; 3], ray: [f64; 3], second: [f64; 3]) -> [f64; 3] {
     let along = along_baseline(e);
-    let scale = sqrt(1 / dot(REFERENCE, along));
-    translation_of_baseline(e, ray, second, scale * along[0], scale * along[1], scale * along[2])
+    translation_of_baseline(e, ray, second, along[0], along[1], along[2])
 }
 
 fn translation_of_baseline(e: _, ray: [f64; 3], second: [f64; 3], x: f64, y: f64, z: f64) -> [f64; 3] {
-    let turned = rotation(e, [x, y, z], 1) * ray;
-    in_front([x, y, z], second, turned[0], turned[1], turned[2])
+    let b = of_length(x, y, z);
+    let turned = rotation(e, b, 1) * ray;
+    in_front(b, second, turned[0], turned[1], turned[2])
+}
+
+/// The vector along (x, y, z) with the square 1/2, as b has. It keeps more digits than a quotient
+/// by the product with the reference, which may be nearly orthogonal to b.
+fn of_length(x: f64, y: f64, z: f64) -> [f64; 3] {
+    sqrt(1 / (2 * (x * x + y * y + z * z))) * [x, y, z]
 }
 
 /// The cofactors of E are b b^T R, and b b^T - 1/2 is the square of \[b\]: the rotation of b, or of
@@ -89,4 +95,21 @@ fn in_front(b: [f64; 3], second: [f64; 3], x: f64, y: f64, z: f64) -> [f64; 3] {
 /// 1 or -1.
 fn sign(x: f64) -> f64 {
     x * sqrt(1 / (x * x))
+}
+
+/// Two cameras that look from about 4 away at points in a cube of side 2, from any sides.
+#[scene]
+fn scene(
+    #[rotation] rotation: [[f64; 3]; 3],
+    shift: [f64; 3],
+    points: [[f64; 3]; 5],
+) -> (Data, RelativePose) {
+    let centre = [0, 0, 4];
+    let [mut first, mut second] = [points, points];
+    for k in 0..5 {
+        first[k] = normalise(points[k] + centre);
+        second[k] = normalise(rotation * points[k] + centre + shift);
+    }
+    let translation = normalise(centre + shift - rotation * centre);
+    (Data { first, second }, RelativePose { rotation, translation })
 }

@@ -34,7 +34,7 @@ fn relpose_6pt_focal_points(first: [[f64; 2]; 6], second: [[f64; 2]; 6]) -> (#[p
     FocalPose {
         fundamental: to_unit * f * to_unit,
         focal: sqrt(unit * unit / w),
-        rotation: rotation_of(f, x, y, sqrt(w)) / square_of_baseline(f, sqrt(w)),
+        rotation: rotation_of(f, x, y, sqrt(w)) / square_of_baseline(essential(f, sqrt(w))),
         translation: translation_of(f, x, y, sqrt(w)),
     }
 }
@@ -54,43 +54,46 @@ fn ray(image: [f64; 3], scale: f64) -> [f64; 3] {
 
 /// E = \[b\] R, with \[b\] the matrix of the cross product by b: b . b is half the square of its
 /// norm.
-fn square_of_baseline(f: [[f64; 3]; 3], scale: f64) -> f64 {
-    let e = essential(f, scale);
+fn square_of_baseline(e: [[f64; 3]; 3]) -> f64 {
     (dot(e[0], e[0]) + dot(e[1], e[1]) + dot(e[2], e[2])) / 2
 }
 
 /// b b^T = b . b - E E^T; this is the reference times that.
 fn along_baseline(f: [[f64; 3]; 3], scale: f64) -> [f64; 3] {
     let e = essential(f, scale);
-    square_of_baseline(f, scale) * REFERENCE - e * (e.t() * REFERENCE)
+    square_of_baseline(e) * REFERENCE - e * (e.t() * REFERENCE)
 }
 
 fn rotation_of(f: [[f64; 3]; 3], x: [f64; 3], y: [f64; 3], scale: f64) -> [[f64; 3]; 3] {
     let along = along_baseline(f, scale);
-    let length = sqrt(1 / dot(REFERENCE, along));
     let e = essential(f, scale);
     let [x, y] = [ray(x, scale), ray(y, scale)];
-    rotation_of_baseline(e, x, y, length * along[0], length * along[1], length * along[2])
+    rotation_of_baseline(e, x, y, along[0], along[1], along[2])
 }
 
 fn rotation_of_baseline(e: _, x: [f64; 3], y: [f64; 3], b1: f64, b2: f64, b3: f64) -> [[f64; 3]; 3] {
-    let b = [b1, b2, b3];
+    let b = of_length(e, b1, b2, b3);
     let turned = rotation(e, b, 1) * x;
     rotation(e, b, side(b, y, turned[0], turned[1], turned[2]))
 }
 
 fn translation_of(f: [[f64; 3]; 3], x: [f64; 3], y: [f64; 3], scale: f64) -> [f64; 3] {
     let along = along_baseline(f, scale);
-    let length = sqrt(1 / dot(REFERENCE, along));
     let e = essential(f, scale);
     let [x, y] = [ray(x, scale), ray(y, scale)];
-    translation_of_baseline(e, x, y, length * along[0], length * along[1], length * along[2])
+    translation_of_baseline(e, x, y, along[0], along[1], along[2])
 }
 
 fn translation_of_baseline(e: _, x: [f64; 3], y: [f64; 3], b1: f64, b2: f64, b3: f64) -> [f64; 3] {
-    let b = [b1, b2, b3];
+    let b = of_length(e, b1, b2, b3);
     let turned = rotation(e, b, 1) * x;
     in_front(b, y, turned[0], turned[1], turned[2])
+}
+
+/// The vector along (x, y, z) of the length of b. It keeps more digits than a quotient by the
+/// product with the reference, which may be nearly orthogonal to b.
+fn of_length(e: [[f64; 3]; 3], x: f64, y: f64, z: f64) -> [f64; 3] {
+    sqrt(square_of_baseline(e) / (x * x + y * y + z * z)) * [x, y, z]
 }
 
 /// b . b times the rotation of b, or of -b where `side` is -1: the cofactors of E are b b^T R, and
@@ -126,4 +129,25 @@ fn sign(x: f64) -> f64 {
 /// The vector of length 1 along b if x is positive, else along -b.
 fn along(b: [f64; 3], x: f64) -> [f64; 3] {
     x * sqrt(1 / (x * x * dot(b, b))) * b
+}
+
+/// Two cameras that look from about 4 away at points in a cube of side 2, from any sides.
+#[scene]
+fn scene(
+    #[rotation] rotation: [[f64; 3]; 3],
+    shift: [f64; 3],
+    zoom: f64,
+    points: [[f64; 3]; 6],
+) -> (Data, FocalPose) {
+    let centre = [0, 0, 4];
+    let focal = 3 / 2 + zoom / 2;
+    let [mut first, mut second] = [[[0; 2]; 6], [[0; 2]; 6]];
+    for k in 0..6 {
+        let [x, y, depth] = points[k] + centre;
+        first[k] = focal * [x, y] / depth;
+        let [x, y, depth] = rotation * points[k] + centre + shift;
+        second[k] = focal * [x, y] / depth;
+    }
+    let translation = normalise(centre + shift - rotation * centre);
+    (Data { first, second }, FocalPose { focal, rotation, translation })
 }

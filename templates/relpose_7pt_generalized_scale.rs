@@ -95,3 +95,26 @@ fn rotation(q: [f64; 4]) -> [[f64; 3]; 3] {
         [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
     ]
 }
+
+/// Two systems of cameras within a cube of side 1 that look at points in a cube of side 2, about 4
+/// away.
+#[scene]
+fn scene(
+    #[rotation] rotation: [[f64; 3]; 3],
+    shift: [f64; 3],
+    zoom: f64,
+    centres: [[[f64; 3]; 2]; 7],
+    points: [[f64; 3]; 7],
+) -> (Data, ScaledPose) {
+    let from = [0, 0, 4];
+    let translation = shift + from - rotation * from;
+    let scale = 3 / 2 + zoom;
+    let [mut first, mut second] = [centres, centres];
+    for k in 0..7 {
+        let point = points[k] + from;
+        let [a, b] = centres[k] / 2;
+        first[k] = [a, normalise(point - a)];
+        second[k] = [b / scale, normalise(rotation * point + translation - b)];
+    }
+    (Data { first, second }, ScaledPose { rotation, translation, scale })
+}

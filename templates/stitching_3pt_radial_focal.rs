@@ -44,3 +44,34 @@ fn side(along: f64, p: [f64; 2], q: [f64; 2], r: [f64; 2], s: [f64; 2]) -> [f64;
         along * along * both,
     ]
 }
+
+/// A camera that turns by up to 40 degrees about its centre.
+#[scene]
+fn scene(turn: [f64; 3], zoom: f64, distortion: f64, sights: [[f64; 2]; 3]) -> (Data, Panorama) {
+    let quaternion = concat([1], turn / 5);
+    let focal = 3 / 2 + zoom / 2;
+    let radial = (distortion - 1) / 10;
+    let [mut first, mut second] = [[[0; 2]; 3], [[0; 2]; 3]];
+    for k in 0..3 {
+        let ray = concat(sights[k] / 2, [1]);
+        let turned = of_quaternion(quaternion) * ray;
+        turned[2] > 1 / 5;
+        first[k] = distorted(focal * [ray[0], ray[1]], radial);
+        second[k] = distorted(focal * [turned[0], turned[1]] / turned[2], radial);
+    }
+    (Data { first, second }, Panorama { focal, radial })
+}
+
+/// The image p of which p / (1 + radial |p|^2) is given.
+fn distorted(image: [f64; 2], radial: f64) -> [f64; 2] {
+    2 * image / (1 + sqrt(1 - 4 * radial * dot(image, image)))
+}
+
+fn of_quaternion(q: [f64; 4]) -> [[f64; 3]; 3] {
+    let [w, x, y, z] = q;
+    [
+        [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
+    ] / dot(q, q)
+}

@@ -12,3 +12,11 @@ fn trilateration(centres: [[f64; 3]; 3], distances: [f64; 3]) -> (x, y, z) {
         dot(sight, sight) - distances[i].pow(2) == 0;
     }
 }
+
+/// A receiver among three senders.
+#[scene]
+fn scene(centres: [[f64; 3]; 3], place: [f64; 3]) -> (Data, Solution) {
+    let [x, y, z] = place;
+    let distances = [norm(centres[0] - place), norm(centres[1] - place), norm(centres[2] - place)];
+    (Data { centres, distances }, Solution { x, y, z })
+}

@@ -188,9 +188,19 @@ class Problem:
         return solutions.with_complex(self.complex_numbers)
 
     def stability(
-        self, trials: int = 1000, seed: int = 1, *, first: int = 0, progress: Progress = None
+        self,
+        trials: int = 1000,
+        seed: int = 1,
+        *,
+        first: int = 0,
+        family: str = "random",
+        progress: Progress = None,
     ) -> Stability:
-        """Solves the random instances `first` to `first + trials`, and judges what is found.
+        """Solves the instances `first` to `first + trials`, and judges what is found.
+
+        `family` is "random", or "scene" for what the function of the problem with the attribute
+        `#[scene]` makes of random numbers: then `known_missed` tells where the solution that it
+        says was not found.
 
         Instance k depends on the seed and k only, so that runs on parts of the instances, joined by
         `Stability.join`, are one run. True solutions are computed to 71 digits. `progress` is
@@ -200,8 +210,13 @@ class Problem:
         """
         first, trials, seed = whole("first", first), whole("trials", trials), whole("seed", seed)
         planned = self._solver()
+        if family not in ("random", "scene"):
+            raise ValueError(f'`family` is "random" or "scene", not {family!r}')
+        if family == "scene" and not planned.has_scene:
+            raise ValueError(f"the problem `{self.name}` states no scene: add a function with `#[scene]`")
         with counted(progress, self.name, " instances") as report:
-            return Stability.of(self.name, seed, first, planned.stability(first, trials, seed, report))
+            figures = planned.stability(first, trials, (seed, family == "scene"), report)
+        return Stability.of((self.name, family, seed), first, figures)
 
     def emit(self) -> str:
         """The Rust source of the solver."""

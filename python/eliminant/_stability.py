@@ -1,9 +1,9 @@
-"""What a solver finds on random instances, as arrays."""
+"""What a solver finds on random instances or scenes, as arrays."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
-from typing import Any, Dict, List, Sequence
+from typing import Any, Dict, List, Sequence, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -17,7 +17,7 @@ Counts = npt.NDArray[np.int64]
 
 @dataclass(frozen=True)
 class Stability:
-    """Figures of random instances, an element of each array for one instance.
+    """Figures of random instances or scenes, an element of each array for one instance.
 
     Solutions are judged by true ones. A point has a solution of its own if it is at most 0.01 away,
     relative to the solution; points left over are spurious, and solutions left over are missed.
@@ -25,6 +25,8 @@ class Stability:
 
     problem: str
     """The name of the problem."""
+    family: str
+    """What the instances are: "random" or "scene"."""
     seed: int
     """The seed of the instances."""
     instance: Counts
@@ -41,6 +43,8 @@ class Stability:
     """How often the template was eliminated for all complex solutions: 2 after a second attempt."""
     is_certain: Counts
     """1 where the true solutions are as many as the problem has for general data."""
+    known_missed: Counts
+    """1 where the solution that a scene says is not among the returned ones, to 1e-6 of it."""
     residual: Array
     """The largest relative residual of a returned point; NaN if there is none."""
     forward_error: Array
@@ -49,32 +53,35 @@ class Stability:
     """The error of the solver: 0, or a number for `error`."""
 
     @classmethod
-    def of(cls, problem: str, seed: int, first: int, figures: "_eliminant.Figures") -> "Stability":
-        """From what the extension module returns."""
+    def of(cls, run: Tuple[str, str, int], first: int, figures: "_eliminant.Figures") -> "Stability":
+        """From problem, family and seed, and what the extension module returns."""
+        problem, family, seed = run
         counts, errors, status = figures
         named: Dict[str, Any] = dict(zip(_eliminant.COUNTS, counts))
         named.update(zip(_eliminant.ERRORS, errors))
         instance = np.arange(first, first + len(status), dtype=np.int64)
-        return cls(problem=problem, seed=seed, instance=instance, status=status, **named)
+        return cls(problem=problem, family=family, seed=seed, instance=instance, status=status, **named)
 
     @staticmethod
     def join(parts: Sequence["Stability"]) -> "Stability":
         """One run from runs on parts of its instances, in the order of the instances."""
         if not parts:
             raise ValueError("there is nothing to join")
-        if len({(part.problem, part.seed) for part in parts}) > 1:
-            raise ValueError("the parts are of different problems or seeds")
+        if len({(part.problem, part.family, part.seed) for part in parts}) > 1:
+            raise ValueError("the parts are of different problems, families or seeds")
         order = np.argsort(np.concatenate([part.instance for part in parts]), kind="stable")
         arrays = {
             name: np.concatenate([getattr(part, name) for part in parts])[order] for name in array_names()
         }
-        return Stability(problem=parts[0].problem, seed=parts[0].seed, **arrays)
+        first = parts[0]
+        return Stability(problem=first.problem, family=first.family, seed=first.seed, **arrays)
 
     def summary(self) -> StabilitySummary:
         """What is left of these figures in little memory."""
         kinds, counts = np.unique(self.status[self.status != 0], return_counts=True)
         return StabilitySummary(
             problem=self.problem,
+            family=self.family,
             seed=self.seed,
             instances=len(self),
             failed=self.failed,
@@ -97,7 +104,8 @@ class Stability:
     @property
     def incomplete(self) -> int:
         """The number of instances on which a solution was missed, or the solver failed."""
-        return int(np.count_nonzero((self.status != 0) | (self.real_missed + self.complex_missed > 0)))
+        missed = self.real_missed + self.complex_missed + self.known_missed
+        return int(np.count_nonzero((self.status != 0) | (missed > 0)))
 
     def __repr__(self) -> str:
         with np.errstate(all="ignore"):
@@ -110,4 +118,4 @@ class Stability:
 
 def array_names() -> List[str]:
     """The names of all arrays."""
-    return [field.name for field in fields(Stability) if field.name not in ("problem", "seed")]
+    return [field.name for field in fields(Stability) if field.name not in ("problem", "family", "seed")]

@@ -1,4 +1,4 @@
-"""What a solver finds on any number of random instances, in little memory."""
+"""What a solver finds on any number of random instances or scenes, in little memory."""
 
 from __future__ import annotations
 
@@ -25,11 +25,13 @@ Key = TypeVar("Key", int, str)
 
 @dataclass(frozen=True)
 class StabilitySummary:
-    """Figures of random instances, summed up. Those of parts join to those of the whole, in any
+    """Figures of random instances or scenes, summed up. Those of parts join to those of the whole, in any
     order, number by number."""
 
     problem: str
     """The name of the problem."""
+    family: str
+    """What the instances are: "random" or "scene"."""
     seed: int
     """The seed of the instances."""
     instances: int
@@ -73,10 +75,11 @@ class StabilitySummary:
         return float(10.0 ** ((at + 1) / BINS_OF_A_DECADE))
 
     def _with(self, other: "StabilitySummary") -> "StabilitySummary":
-        if (self.problem, self.seed) != (other.problem, other.seed):
-            raise ValueError("the parts are of different problems or seeds")
+        if (self.problem, self.family, self.seed) != (other.problem, other.family, other.seed):
+            raise ValueError("the parts are of different problems, families or seeds")
         return StabilitySummary(
             problem=self.problem,
+            family=self.family,
             seed=self.seed,
             instances=self.instances + other.instances,
             failed=self.failed + other.failed,

@@ -3,14 +3,11 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use eliminant::SolveError as Error;
-use eliminant::emitted::{chart_entry, vector_of};
-use eliminant_generator::expression::arithmetic::Float64;
 use eliminant_generator::generate::{GenerateError, generate, plan};
-use eliminant_generator::plan::interpret;
-use eliminant_generator::plan::output::PlannedElement;
-use eliminant_generator::plan::{Plan, Term};
+use eliminant_generator::plan::Plan;
 use eliminant_generator::problem::{Problem, SolutionField};
 use eliminant_generator::search::measuring::interpreted::InterpretedSolver;
+use eliminant_generator::search::measuring::results::{results_of, scalars_of};
 use eliminant_generator::template::file::TemplateFile;
 use numpy::PyReadonlyArrayDyn;
 use pyo3::prelude::*;
@@ -51,84 +48,13 @@ impl Planned {
     fn solve(&self, values: &[Values<'_>], at: usize, found: &mut Found<'_>) -> Result<(), Error> {
         let data: Vec<f64> = values.iter().flat_map(|values| values.instance(at)).copied().collect();
         let points = self.solver.solve(&data)?;
-        let solutions: Vec<Vec<f64>> = points.iter().map(|point| self.solution(point)).collect();
+        let solutions: Vec<Vec<f64>> = points.iter().map(|point| scalars_of(&self.plan, point)).collect();
         found.write(at, solutions.iter().map(Vec::as_slice));
-        self.write_results(&data, &points, &solutions, at, found);
+        for (number, results) in results_of(&self.plan, &data, &points).iter().enumerate() {
+            found.result(at, number).copy_from_slice(results);
+        }
         Ok(())
     }
-
-    /// The scalars of a solution: vectors that are given up to scale have length 1.
-    fn solution(&self, point: &[f64]) -> Vec<f64> {
-        let mut solution = Vec::with_capacity(self.sizes.unknowns);
-        for field in &self.plan.fields {
-            let unknowns = &point[field.unknowns()];
-            match field.chart() {
-                None => solution.extend(unknowns),
-                Some(chart) => {
-                    let mut vector = vec![0.0; field.scalars()];
-                    vector_of(&chart, unknowns, &mut vector);
-                    solution.extend(vector);
-                }
-            }
-        }
-        solution
-    }
-
-    /// Writes what the problem returns for each solution, if it returns anything.
-    fn write_results(
-        &self,
-        data: &[f64],
-        points: &[Vec<f64>],
-        solutions: &[Vec<f64>],
-        at: usize,
-        found: &mut Found<'_>,
-    ) {
-        let Some(output) = &self.plan.output else { return };
-        let Some(coefficients) = interpret::coefficients_of_results(&self.plan, output, Float64, data) else { return };
-        for (number, (point, solution)) in points.iter().zip(solutions).enumerate() {
-            let mut x = self.variables(point, solution);
-            output.parts.iter().for_each(|part| x.push(value(part, &coefficients, &x)));
-            let elements = output.fields.iter().flat_map(|field| &field.elements);
-            for (place, element) in found.result(at, number).iter_mut().zip(elements) {
-                *place = value(element, &coefficients, &x);
-            }
-        }
-    }
-
-    /// What the polynomials of results hold: the unknowns, of vectors that are given up to scale
-    /// their coordinates; then the last coordinate of each of these.
-    fn variables(&self, point: &[f64], solution: &[f64]) -> Vec<f64> {
-        let (mut x, mut last, mut first) = (point.to_vec(), Vec::new(), 0);
-        for field in &self.plan.fields {
-            let scalars = &solution[first..first + field.scalars()];
-            first += field.scalars();
-            if let Some(chart) = field.chart() {
-                let factor = field.scale_of_chart();
-                let coordinates: Vec<f64> = chart.iter().map(|row| factor * chart_entry(row, scalars)).collect();
-                if let Some((of_last, others)) = coordinates.split_last() {
-                    x[field.unknowns()].copy_from_slice(others);
-                    last.push(*of_last);
-                }
-            }
-        }
-        x.extend(last);
-        x
-    }
-}
-
-/// The value of a scalar of the results.
-fn value(element: &PlannedElement, coefficients: &[f64], x: &[f64]) -> f64 {
-    let sum = |terms: &[Term]| terms.iter().map(|term| product(term, coefficients, x)).sum::<f64>();
-    let quotient = match &element.denominator {
-        Some(divisor) => sum(&element.numerator) / sum(divisor),
-        None => sum(&element.numerator),
-    };
-    if element.is_root { quotient.sqrt() } else { quotient }
-}
-
-fn product(term: &Term, coefficients: &[f64], x: &[f64]) -> f64 {
-    let powers = term.exponents.iter().zip(x).map(|(&exponent, x)| x.powi(exponent.into()));
-    coefficients[usize::from(term.coefficient.0)] * powers.product::<f64>()
 }
 
 #[pymethods]
@@ -188,11 +114,18 @@ impl Planned {
         py: Python<'py>,
         first: usize,
         trials: usize,
-        seed: u64,
+        (seed, is_scene): (u64, bool),
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Figures<'py>> {
-        let random = RandomInstances { numbers: first..first.saturating_add(trials), seed };
-        figures(py, &self.plan, &self.solver, random, &Tally::new(progress, trials))
+        let scene = self.plan.scene.as_ref().filter(|_| is_scene);
+        let instances = RandomInstances { numbers: first..first.saturating_add(trials), seed, scene };
+        figures(py, &self.plan, &self.solver, &instances, &Tally::new(progress, trials))
+    }
+
+    /// Whether the problem states a scene.
+    #[getter]
+    fn has_scene(&self) -> bool {
+        self.plan.scene.is_some()
     }
 
     #[getter]

@@ -4,10 +4,13 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use eliminant::Complex;
+use eliminant_generator::algebra::Random;
 use eliminant_generator::oracle::Truths;
 use eliminant_generator::plan::Plan;
+use eliminant_generator::problem::scene::{DrawnScene, Scene};
 use eliminant_generator::search::measuring::interpreted::InterpretedSolver;
-use eliminant_generator::search::measuring::random_instance;
+use eliminant_generator::search::measuring::results::has_known;
+use eliminant_generator::search::measuring::{random_instance, seed_of};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use rayon::prelude::*;
@@ -21,9 +24,19 @@ pub(crate) type Figures<'py> =
     (Vec<Bound<'py, PyArray1<i64>>>, Vec<Bound<'py, PyArray1<f64>>>, Bound<'py, PyArray1<u16>>);
 
 /// The names of the counts: what there is, was missed and does not belong there, of real and of
-/// complex solutions; attempts of `solve_complex`; whether all true solutions are known.
-pub(crate) const COUNTS: [&str; 8] =
-    ["real", "real_missed", "real_spurious", "complex", "complex_missed", "complex_spurious", "attempts", "is_certain"];
+/// complex solutions; attempts of `solve_complex`; whether all true solutions are known; whether
+/// what a scene says of its solution was not found.
+pub(crate) const COUNTS: [&str; 9] = [
+    "real",
+    "real_missed",
+    "real_spurious",
+    "complex",
+    "complex_missed",
+    "complex_spurious",
+    "attempts",
+    "is_certain",
+    "known_missed",
+];
 
 /// The names of the errors: the largest relative residual, and the largest relative distance from
 /// a true solution.
@@ -37,10 +50,22 @@ struct Outcome {
     status: u16,
 }
 
-/// Random instances. Instance k depends on the seed and on k only.
-pub(crate) struct RandomInstances {
+/// Random instances, or scenes. Instance k depends on the seed and on k only.
+pub(crate) struct RandomInstances<'a> {
     pub(crate) numbers: Range<usize>,
     pub(crate) seed: u64,
+    /// The scene of the problem, if scenes are wanted.
+    pub(crate) scene: Option<&'a Scene>,
+}
+
+impl RandomInstances<'_> {
+    /// Instance k; `None` if its scene cannot be drawn.
+    fn draw(&self, plan: &Plan, k: usize) -> Option<DrawnScene> {
+        match self.scene {
+            Some(scene) => scene.draw(&mut Random::new(seed_of(self.seed, k))),
+            None => Some(DrawnScene { data: random_instance(plan, self.seed, k), solution: None, results: None }),
+        }
+    }
 }
 
 /// Solves instances and judges what is found.
@@ -48,20 +73,20 @@ pub(crate) fn figures<'py>(
     py: Python<'py>,
     plan: &Plan,
     solver: &InterpretedSolver,
-    instances: RandomInstances,
+    instances: &RandomInstances<'_>,
     tally: &Tally,
 ) -> PyResult<Figures<'py>> {
-    let RandomInstances { numbers, seed } = instances;
     let work = |is_over: &AtomicBool| -> Vec<Outcome> {
         let outcome = |k: usize| match is_over.load(Ordering::Relaxed) {
             true => Outcome::default(),
             false => {
-                let outcome = Outcome::of(plan, solver, &random_instance(plan, seed, k));
+                let drawn = instances.draw(plan, k);
+                let outcome = drawn.map_or_else(Outcome::unsolved, |instance| Outcome::of(plan, solver, &instance));
                 tally.add(1);
                 outcome
             }
         };
-        numbers.into_par_iter().map(outcome).collect()
+        instances.numbers.clone().into_par_iter().map(outcome).collect()
     };
     let outcomes = interruptible(py, work, |py| tally.tell(py))?;
     tally.tell(py)?;
@@ -75,8 +100,16 @@ pub(crate) fn figures<'py>(
 }
 
 impl Outcome {
-    fn of(plan: &Plan, solver: &InterpretedSolver, data: &[f64]) -> Self {
+    /// Of data that no scene gives, or that a coefficient divides by zero with: there are no
+    /// solutions to judge by.
+    fn unsolved() -> Self {
+        Self { errors: [f64::NAN; ERRORS.len()], ..Self::default() }
+    }
+
+    fn of(plan: &Plan, solver: &InterpretedSolver, instance: &DrawnScene) -> Self {
+        let data = &instance.data;
         let real = solver.solve(data);
+        let is_known_missed = !has_known(plan, real.as_deref().unwrap_or_default(), instance);
         let (complex, attempts) = match solver.instance(data) {
             Ok(mut instance) => (instance.solve_complex(), instance.attempts()),
             Err(error) => (Err(error), 0),
@@ -87,10 +120,7 @@ impl Outcome {
             real.unwrap_or_default().into_iter().map(|point| point.into_iter().map(Complex::from).collect()).collect();
         let complex = complex.unwrap_or_default();
         let near: Vec<Vec<Complex<f64>>> = complex.iter().chain(&real).cloned().collect();
-        // Data that a coefficient divides by zero with have no solutions to judge by.
-        let Some(truths) = Truths::of(plan, data, &near) else {
-            return Self { status, errors: [f64::NAN; ERRORS.len()], ..Self::default() };
-        };
+        let Some(truths) = Truths::of(plan, data, &near) else { return Self { status, ..Self::unsolved() } };
         let (of_real, of_complex) = (truths.judge(&real, true), truths.judge(&complex, false));
         let largest = |lists: [&[f64]; 2]| lists.concat().into_iter().reduce(f64::max).unwrap_or(f64::NAN);
         let missed = |expected: usize, found: usize| expected.saturating_sub(found);
@@ -103,6 +133,7 @@ impl Outcome {
             of_complex.spurious,
             attempts,
             usize::from(truths.is_complete()),
+            usize::from(is_known_missed),
         ];
         Self {
             counts: counts.map(|count| count as i64),

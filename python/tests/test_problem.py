@@ -198,6 +198,37 @@ def test_stability_of_parts_is_that_of_the_whole():
         eliminant.Stability.join([whole, problem.stability(1, seed=4)])
 
 
+def test_the_solution_of_a_scene_is_found():
+    problem = eliminant.problem("pose_3pt")
+    whole = problem.stability(40, seed=3, family="scene")
+    assert whole.known_missed.sum() == 0 and whole.incomplete == 0 and (whole.real >= 1).all()
+    parts = [problem.stability(20, seed=3, first=at, family="scene") for at in (0, 20)]
+    np.testing.assert_array_equal(eliminant.Stability.join(parts).residual, whole.residual)
+    random = problem.stability(40, seed=3)
+    assert (random.real == 0).any() and random.known_missed.sum() == 0
+    with pytest.raises(ValueError, match="families"):
+        eliminant.Stability.join([whole, random])
+    with pytest.raises(ValueError, match="families"):
+        eliminant.StabilitySummary.join([whole.summary(), random.summary()])
+    with pytest.raises(ValueError, match="states no scene"):
+        eliminant.problem("relpose_5pt").stability(3, family="scene")
+    with pytest.raises(ValueError, match="noisy"):
+        problem.stability(3, family="noisy")
+
+
+def test_a_scene_that_says_what_is_wrong():
+    text = """
+fn root(square: f64) -> (x) { x * x == square; }
+
+#[scene]
+fn scene(x: f64) -> (Data, Solution) { (Data { square: x * x + 1 }, Solution { x }) }
+"""
+    problem = eliminant.Problem(text)
+    problem.search(progress=False)
+    found = problem.stability(10, family="scene")
+    assert (found.known_missed == 1).all() and found.incomplete == 10
+
+
 def test_summaries_of_parts_are_that_of_the_whole():
     problem = eliminant.problem("relpose_5pt")
     whole = problem.stability(60, seed=3)

@@ -40,6 +40,7 @@ use std::collections::BTreeSet;
 
 use crate::expression::derivation::Derivation;
 use crate::presolve::exchange::Image;
+use crate::problem::scene::Scene;
 use crate::problem::{DataParameter, Scaling, SolutionField};
 use crate::template::RootMethod;
 use output::PlannedOutput;
@@ -328,6 +329,8 @@ pub struct Plan {
     pub positive: Vec<Vec<Term>>,
     /// What the solver returns beside the unknowns.
     pub output: Option<PlannedOutput>,
+    /// How data come about that users have, for measurements. No solver depends on it.
+    pub scene: Option<Scene>,
     /// Scalings under which the problem stays the same, if some change unknowns.
     pub scalings: Vec<Scaling>,
 }

@@ -167,6 +167,7 @@ impl Scheduler<'_> {
             nonzero,
             positive,
             output,
+            scene: problem.scene.clone(),
             scalings: problem.scalings.clone(),
         };
         plan.check()?;

@@ -45,6 +45,8 @@ pub(super) struct Interpreter<'a> {
     pub(super) nonzero: Vec<Statement>,
     pub(super) positive: Vec<Statement>,
     pub(super) output: Option<Output>,
+    /// Whether a scene is evaluated, which has no unknowns.
+    pub(super) is_scene: bool,
     /// The parts of the output, while its fields are evaluated.
     pub(super) parts: Option<Vec<OutputElement>>,
     /// The polynomials of the equations.
@@ -71,6 +73,7 @@ impl<'a> Interpreter<'a> {
             nonzero: Vec::new(),
             positive: Vec::new(),
             output: None,
+            is_scene: false,
             parts: None,
             stated: HashSet::new(),
             says_something: BTreeMap::new(),
@@ -157,7 +160,7 @@ impl<'a> Interpreter<'a> {
         value
     }
 
-    fn run_statement(&mut self, statement: &Stmt) {
+    pub(super) fn run_statement(&mut self, statement: &Stmt) {
         match statement {
             Stmt::Local(local) => self.run_let(local),
             Stmt::Expr(expression, _) => self.run_expression(expression),
@@ -259,6 +262,7 @@ impl<'a> Interpreter<'a> {
 
     fn run_expression(&mut self, expression: &Expr) {
         match expression {
+            Expr::Struct(_) if self.is_scene => self.refuse_in_scene(expression),
             Expr::Binary(binary) => self.run_binary(expression, binary),
             Expr::Assign(assign) => {
                 let value = self.evaluate(&assign.right);
@@ -288,6 +292,7 @@ impl<'a> Interpreter<'a> {
 
     fn run_binary(&mut self, expression: &Expr, binary: &ExprBinary) {
         match binary.op {
+            BinOp::Eq(_) | BinOp::Ne(_) if self.is_scene => self.refuse_in_scene(expression),
             BinOp::Eq(_) => self.state_equation(expression, binary),
             BinOp::Ne(_) => self.state_nonzero(expression, binary),
             BinOp::Gt(_) | BinOp::Lt(_) => self.state_inequality(expression, binary),
@@ -406,16 +411,6 @@ impl<'a> Interpreter<'a> {
         }
         self.charge(usize::try_from(end.saturating_sub(start)).unwrap_or(0), over)?;
         Ok((start..end).map(|i| self.integer(i)).collect())
-    }
-
-    /// Refuses statements about solutions inside helpers.
-    pub(super) fn outside_helpers(&mut self, expression: &Expr) -> Outcome<()> {
-        let Some((name, _)) = self.calls.last().cloned() else { return Ok(()) };
-        Err(self.report(
-            Diagnostic::new("a helper function cannot state equations", place(expression))
-                .label(format!("`{name}` is a helper: it does not return unknowns"))
-                .hint("return the value and state the equation in the problem function"),
-        ))
     }
 
     fn state_equation(&mut self, expression: &Expr, binary: &ExprBinary) {

@@ -86,8 +86,11 @@ impl Interpreter<'_> {
             .hint("a projection across `v` needs no unit vector: divide products of its elements by `dot(v, v)`");
             return Err(self.report(diagnostic));
         }
-        // Without unknowns, a polynomial is one coefficient.
-        let element = |p: &SymbolicPolynomial| p.terms().first().map_or(ExpressionGraph::ZERO, |&(_, value)| value);
-        Ok(value.elements().iter().map(element).collect())
+        Ok(value.elements().iter().map(constant).collect())
     }
+}
+
+/// The one coefficient of a polynomial without unknowns.
+pub(super) fn constant(polynomial: &SymbolicPolynomial) -> ExpressionId {
+    polynomial.terms().first().map_or(ExpressionGraph::ZERO, |&(_, value)| value)
 }

@@ -17,6 +17,7 @@ mod parse;
 mod projective;
 mod results;
 mod scaling;
+pub mod scene;
 mod scope;
 mod signature;
 mod slices;
@@ -27,6 +28,7 @@ mod value;
 use std::ops::Range;
 
 use output::Output;
+use scene::Scene;
 
 use crate::algebra::{Monomial, Polynomial};
 use crate::expression::{ExpressionGraph, ExpressionId, SymbolicPolynomial};
@@ -264,6 +266,8 @@ pub struct Problem {
     pub positive: Vec<Statement>,
     /// What it returns beside the unknowns.
     pub output: Option<Output>,
+    /// How data come about that users have.
+    pub scene: Option<Scene>,
     /// A basis of the scalings under which it stays the same: its units.
     pub scalings: Vec<Scaling>,
     /// The coefficients of all polynomials.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use syn::{Attribute, Ident, Item, ItemConst, ItemFn, ReturnType, Safety, Visibility};
+use syn::{Attribute, Ident, Item, ItemConst, ItemFn, Meta, ReturnType, Safety, Visibility};
 
 use super::complex::joined;
 use super::functions::BUILT_IN;
@@ -12,6 +12,7 @@ use super::output::Output;
 use super::projective::{Elements, check_homogeneous, dehomogenised, homogeneous};
 use super::results::check_even;
 use super::scaling::{Stated, scalings};
+use super::scene::{ATTRIBUTE, Scene, is_scene};
 use super::scope::{Binding, Kind, Outcome, Reported};
 use super::signature::{doc_lines, unknown_list};
 use super::syntax::{parse_file, place};
@@ -53,6 +54,7 @@ struct Items<'a> {
     constants: Vec<&'a ItemConst>,
     helpers: BTreeMap<String, &'a ItemFn>,
     problem: Option<&'a ItemFn>,
+    scene: Option<&'a ItemFn>,
 }
 
 fn parse_source(source: &SourceFile) -> Result<Problem, Vec<Diagnostic>> {
@@ -67,7 +69,7 @@ fn parse_source(source: &SourceFile) -> Result<Problem, Vec<Diagnostic>> {
     let types = unknown_list(&function.sig.output).unwrap_or_default();
     let unknowns = signature.read_unknowns(&types, &shapes);
     let data = signature.read_parameters(function, &unknowns);
-    for helper in items.helpers.values() {
+    for helper in items.helpers.values().filter(|helper| !is_scene(helper)) {
         // Its own failure is among the messages.
         let _ = signature.check_helper_parameters(helper);
     }
@@ -85,7 +87,7 @@ fn parse_source(source: &SourceFile) -> Result<Problem, Vec<Diagnostic>> {
         return Err(body.into_messages());
     }
     let scalings = scalings_of(&body, &unknowns, || run(&items, function, (&data, &unknowns), Elements::Themselves));
-    Ok(Problem {
+    let mut problem = Problem {
         name: function.sig.ident.to_string(),
         docs: doc_lines(&function.attrs),
         data,
@@ -96,11 +98,36 @@ fn parse_source(source: &SourceFile) -> Result<Problem, Vec<Diagnostic>> {
         nonzero: body.nonzero,
         positive: body.positive,
         output: body.output,
+        scene: None,
         scalings,
         graph: body.algebra.graph,
         source: source.clone(),
         span: place_of_output(&function.sig.output),
-    })
+    };
+    problem.scene = items.scene.map(|scene| read_scene(&items, scene, &problem)).transpose()?;
+    Ok(problem)
+}
+
+fn read_scene(items: &Items<'_>, function: &ItemFn, problem: &Problem) -> Result<Scene, Vec<Diagnostic>> {
+    let mut signature = Interpreter::new(ExpressionGraph::new(&[vec![], vec![]]), &items.helpers);
+    declare_constants(&mut signature, &items.constants);
+    let drawn = signature.read_parameters(function, &[]);
+    for parameter in drawn.iter().filter(|parameter| parameter.mean.is_some()) {
+        let diagnostic = Diagnostic::new("what a scene draws is no mean", parameter.span.clone());
+        signature.report(diagnostic.hint("draw the measurements, and add what they give"));
+    }
+    if signature.has_messages() {
+        return Err(signature.into_messages());
+    }
+    let mut body = Interpreter::new(ExpressionGraph::new(&fingerprint_points(&drawn)), &items.helpers);
+    body.data.clone_from(&drawn);
+    body.is_scene = true;
+    declare_constants(&mut body, &items.constants);
+    body.scopes.enter();
+    declare_signature((&mut body, Elements::InChart), &drawn, &[]);
+    let scene = body.run_scene(function, &drawn, problem);
+    let scene = if body.has_messages() { Err(Reported) } else { scene };
+    scene.map_err(|Reported| body.into_messages())
 }
 
 /// Runs the statements of a problem.
@@ -208,6 +235,12 @@ fn sort_items(items: &[Item]) -> (Items<'_>, Vec<Diagnostic>) {
                 let name = function.sig.ident.to_string();
                 if unknown_list(&function.sig.output).is_none() {
                     messages.extend(refuse_built_in(&function.sig.ident));
+                    if is_scene(function)
+                        && let Some(first) = sorted.scene.replace(function)
+                    {
+                        let diagnostic = Diagnostic::new("a file has one scene", place(&function.sig.ident));
+                        messages.push(diagnostic.label("the second").context(place(&first.sig.ident), "the first"));
+                    }
                     if let Some(first) = sorted.helpers.insert(name.clone(), function) {
                         let diagnostic =
                             Diagnostic::new(format!("there are two helpers `{name}`"), place(&function.sig.ident));
@@ -285,15 +318,16 @@ fn check_function(function: &ItemFn) -> Vec<Diagnostic> {
         messages.push(diagnostic.label("expected a plain `fn name(parameters) -> result`"));
     }
     let known = |attribute: &&Attribute| {
-        !["doc", "allow", "expect", "rustfmt"]
-            .iter()
-            .any(|&name| attribute.path().segments.first().is_some_and(|segment| segment.ident == name))
+        let may_be_scene = unknown_list(&signature.output).is_none() && matches!(attribute.meta, Meta::Path(_));
+        let is_named = |name: &str| attribute.path().segments.first().is_some_and(|segment| segment.ident == name);
+        let is_of_rust = ["doc", "allow", "expect", "rustfmt"].iter().any(|&name| is_named(name));
+        !(is_of_rust || may_be_scene && attribute.path().is_ident(ATTRIBUTE))
     };
     for attribute in function.attrs.iter().filter(known) {
         let diagnostic = Diagnostic::new("unknown attribute of a function", place(attribute));
         messages.push(
             diagnostic
-                .hint("`#[symmetric]`, `#[rotation]`, `#[unit]`, `#[plucker]`, `#[integer]`, `#[rank(2)]`, `#[mean(f)]` stand before a parameter"),
+                .hint("`#[symmetric]`, `#[rotation]`, `#[unit]`, `#[plucker]`, `#[integer]`, `#[rank(2)]`, `#[mean(f)]` stand before a parameter; `#[scene]` before a function that returns `Data`"),
         );
     }
     messages

@@ -202,7 +202,7 @@ impl Interpreter<'_> {
         }
         let span = place(expression);
         match difference.as_scalar() {
-            Some(polynomial) if polynomial.degree() > 0 => {
+            Some(polynomial) if polynomial.degree() > 0 || self.is_scene => {
                 let statement = Statement { polynomial: polynomial.clone(), span, element: String::new() };
                 self.positive.push(statement);
             }
@@ -216,6 +216,16 @@ impl Interpreter<'_> {
                 self.report(diagnostic.hint("state it for each element in a loop"));
             }
         }
+    }
+
+    /// Refuses statements about solutions inside helpers.
+    pub(super) fn outside_helpers(&mut self, expression: &Expr) -> Outcome<()> {
+        let Some((name, _)) = self.calls.last().cloned() else { return Ok(()) };
+        Err(self.report(
+            Diagnostic::new("a helper function cannot state equations", place(expression))
+                .label(format!("`{name}` is a helper: it does not return unknowns"))
+                .hint("return the value and state the equation in the problem function"),
+        ))
     }
 
     fn as_elements(&self, value: &Value) -> OutputValue {

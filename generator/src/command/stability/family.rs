@@ -8,7 +8,9 @@ use crate::expression::arithmetic::{Arithmetic, Float64};
 use crate::expression::rational::Rational;
 use crate::plan::Plan;
 use crate::problem::instance::{Draw, draw_inputs};
+use crate::problem::scene::DrawnScene;
 use crate::problem::{DataAttribute, DataParameter, Scaling};
+use crate::search::measuring::results::in_charts;
 use crate::search::measuring::{random_instance, seed_of};
 
 /// Which instances are drawn.
@@ -16,6 +18,9 @@ use crate::search::measuring::{random_instance, seed_of};
 pub(super) enum Family {
     /// Data drawn on their variety, uniformly where nothing else is stated
     Random,
+    /// What the function of the problem file with the attribute `#[scene]` makes of drawn numbers,
+    /// with the solution or the result that it says
+    Scene,
     /// The same in other units, along the scalings under which the problem stays the same; the
     /// level is the power of ten
     Scaled,
@@ -29,12 +34,13 @@ pub(super) enum Family {
 
 impl Family {
     /// All families, in the order of reports.
-    pub(super) const ALL: [Self; 4] = [Self::Random, Self::Scaled, Self::Degenerate, Self::Noisy];
+    pub(super) const ALL: [Self; 5] = [Self::Random, Self::Scene, Self::Scaled, Self::Degenerate, Self::Noisy];
 
     /// The name in reports and files.
     pub(super) fn name(self) -> &'static str {
         match self {
             Self::Random => "random",
+            Self::Scene => "scene",
             Self::Scaled => "scaled",
             Self::Degenerate => "degenerate",
             Self::Noisy => "noisy",
@@ -44,19 +50,20 @@ impl Family {
     /// The powers of ten that its instances take in turns.
     fn levels(self) -> &'static [i32] {
         match self {
-            Self::Random => &[],
+            Self::Random | Self::Scene => &[],
             Self::Scaled => &[-8, -6, -4, -2, 2, 4, 6, 8],
             Self::Degenerate => &[-2, -4, -6, -8, -10, -12],
             Self::Noisy => &[-12, -9, -6, -3],
         }
     }
 
-    /// `count` instances; none if the problem has no data of this kind. Instance k depends on
-    /// (seed, k) only.
+    /// `count` instances; none if the problem has no data of this kind, or no scene. Instance k
+    /// depends on (seed, k) only.
     pub(super) fn instances(self, plan: &Plan, count: usize, seed: u64) -> Vec<Instance> {
         if plan.inputs() == 0 {
             // Without data there is one instance.
-            return if self == Self::Random { vec![self.instance(plan, None, Vec::new())] } else { Vec::new() };
+            let nothing = DrawnScene { data: Vec::new(), solution: None, results: None };
+            return self.instance(plan, None, nothing).filter(|_| self == Self::Random).into_iter().collect();
         }
         let levels = self.levels();
         let draw = |k: usize| {
@@ -65,31 +72,35 @@ impl Family {
                 0 => (None, k),
                 many => (Some(levels[k % many]), k / many),
             };
-            let data = self.draw(plan, level.unwrap_or(0), (seed, k, variant))?;
-            Some(self.instance(plan, level, data))
+            let drawn = self.draw(plan, level.unwrap_or(0), (seed, k, variant))?;
+            self.instance(plan, level, drawn)
         };
         (0..count).map_while(draw).collect()
     }
 
-    fn instance(self, plan: &Plan, level: Option<i32>, data: Vec<f64>) -> Instance {
-        Instance {
+    fn instance(self, plan: &Plan, level: Option<i32>, drawn: DrawnScene) -> Option<Instance> {
+        let solutions: Option<Vec<_>> = drawn.solution.iter().map(|known| in_charts(plan, known).ok()).collect();
+        Some(Instance {
             problem: plan.name.clone(),
             family: self.name().to_owned(),
             level: level.map(f64::from),
-            data,
-            solutions: Vec::new(),
+            data: drawn.data,
+            solutions: solutions?,
+            results: drawn.results.into_iter().collect(),
             note: None,
-        }
+        })
     }
 
-    fn draw(self, plan: &Plan, level: i32, (seed, k, variant): (u64, usize, usize)) -> Option<Vec<f64>> {
+    fn draw(self, plan: &Plan, level: i32, (seed, k, variant): (u64, usize, usize)) -> Option<DrawnScene> {
         let mut random = Random::new(seed_of(seed, k));
-        match self {
+        let data = match self {
+            Self::Scene => return plan.scene.as_ref()?.draw(&mut random),
             Self::Random => Some(random_instance(plan, seed, k)),
             Self::Scaled => scaled(plan, level, variant, random_instance(plan, seed, k)),
             Self::Degenerate => degenerate(plan, 10f64.powi(level), variant, &mut random),
             Self::Noisy => noisy(plan, 10f64.powi(level), random_instance(plan, seed, k), &mut random),
-        }
+        };
+        data.map(|data| DrawnScene { data, solution: None, results: None })
     }
 }
 
@@ -314,6 +325,6 @@ mod tests {
     fn families_without_data_are_empty() {
         let plan = committed("katsura_5");
         let counts = Family::ALL.map(|family| family.instances(&plan, 5, 1).len());
-        assert_eq!(counts, [1, 0, 0, 0]);
+        assert_eq!(counts, [1, 0, 0, 0, 0]);
     }
 }

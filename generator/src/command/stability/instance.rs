@@ -6,18 +6,19 @@
 //!
 //! `data` are flat, one parameter after another, arrays row by row. `level`, a number that orders
 //! the instances of a family, and `solutions`, known values of all unknowns, may be absent; vectors
-//! that are given up to scale have any length. `note` is for the reader.
+//! that are given up to scale have any length. So may `results`, which are known values of what the
+//! problem returns, null for what is not known. `note` is for the reader.
 
 use std::fmt::Write as _;
 use std::path::Path;
 
-use eliminant::emitted;
+use eliminant::Complex;
 use serde::{Deserialize, Serialize};
 
 use crate::command::error::CommandError;
 use crate::command::files::{read_text, write};
 use crate::plan::Plan;
-use crate::problem::SolutionField;
+use crate::search::measuring::results::{all, in_charts, is_among, results_of};
 
 /// Data of a problem, with what is known of them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -35,9 +36,26 @@ pub(super) struct Instance {
     /// Real solutions that are known from the way in which the instance was made.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) solutions: Vec<Vec<f64>>,
+    /// What the problem returns for solutions that are known so; null where it is not known.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) results: Vec<Vec<Option<f64>>>,
     /// What was seen of it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) note: Option<String>,
+}
+
+impl Instance {
+    /// How many of the known solutions and results the returned real solutions lack.
+    pub(super) fn missed(&self, plan: &Plan, real: &[Vec<Complex<f64>>]) -> usize {
+        if self.solutions.is_empty() && self.results.is_empty() {
+            return 0;
+        }
+        let points: Vec<Vec<f64>> = real.iter().map(|point| point.iter().map(|x| x.re).collect()).collect();
+        let results = if self.results.is_empty() { Vec::new() } else { results_of(plan, &self.data, &points) };
+        let missed = |found: &[Vec<f64>], known: &[Option<f64>]| usize::from(!is_among(found, known));
+        let of_solutions = self.solutions.iter().map(|known| missed(&points, &all(known)));
+        of_solutions.chain(self.results.iter().map(|known| missed(&results, known))).sum()
+    }
 }
 
 /// So many wrong lines are shown.
@@ -83,29 +101,11 @@ fn parse(line: &str, plans: &[&Plan]) -> Result<Instance, String> {
     for solution in &mut instance.solutions {
         *solution = in_charts(plan, solution)?;
     }
+    let returned: usize = plan.output.iter().flat_map(|output| &output.fields).map(|field| field.elements.len()).sum();
+    if let Some(results) = instance.results.iter().find(|results| results.len() != returned) {
+        return Err(format!("`{name}` returns {returned} numbers, not {}", results.len()));
+    }
     Ok(instance)
-}
-
-/// A solution as a solver returns it, with vectors that are given up to scale in coordinates of
-/// their charts. One that is in coordinates already stays as it is.
-fn in_charts(plan: &Plan, solution: &[f64]) -> Result<Vec<f64>, String> {
-    if solution.len() == plan.unknowns.len() {
-        return Ok(solution.to_vec());
-    }
-    let scalars: usize = plan.fields.iter().map(SolutionField::scalars).sum();
-    if solution.len() != scalars {
-        return Err(format!("a solution of `{}` has {scalars} numbers, not {}", plan.name, solution.len()));
-    }
-    let (mut unknowns, mut rest) = (vec![0.0; plan.unknowns.len()], solution);
-    for field in &plan.fields {
-        let (values, others) = rest.split_at(field.scalars());
-        rest = others;
-        match field.chart() {
-            Some(chart) => emitted::to_chart(&chart, values, &mut unknowns[field.unknowns()]),
-            None => unknowns[field.unknowns()].copy_from_slice(values),
-        }
-    }
-    Ok(unknowns)
 }
 
 /// Writes a file of instances.

@@ -9,9 +9,6 @@ use super::solve::Returned;
 use crate::oracle::{Judged, Truths};
 use crate::plan::Plan;
 
-/// A known solution counts as found if a returned one is this close.
-const FOUND: f64 = 1e-6;
-
 /// Solutions there are, and what was returned of them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub(super) struct Count {
@@ -36,7 +33,7 @@ pub(super) struct Outcome {
     pub(super) real: Count,
     /// Of `solve_complex`.
     pub(super) complex: Count,
-    /// Solutions that the instance came with, and how many of them `solve` did not return to 1e-6.
+    /// Solutions and results that the instance came with, and how many of them `solve` did not return to 1e-6.
     pub(super) known: usize,
     pub(super) known_missed: usize,
     /// The largest relative residual of a returned point.
@@ -63,8 +60,8 @@ impl Outcome {
         let mut outcome = Self {
             nanoseconds: returned.nanoseconds,
             error,
-            known: instance.solutions.len(),
-            known_missed: instance.solutions.iter().filter(|known| distance(real, known) > FOUND).count(),
+            known: instance.solutions.len() + instance.results.len(),
+            known_missed: instance.missed(plan, real),
             growth: condition.growth,
             separation: condition.separation,
             is_repeated: condition.is_repeated,
@@ -135,19 +132,6 @@ impl Outcome {
         }
         words.join(", ")
     }
-}
-
-/// The smallest distance of a returned point from a known one, relative to the known one; at the
-/// origin to the largest point.
-fn distance(returned: &[Vec<Complex<f64>>], known: &[f64]) -> f64 {
-    let norm = |x: &mut dyn Iterator<Item = f64>| x.map(|x| x * x).sum::<f64>().sqrt();
-    let norms = returned.iter().map(|point| norm(&mut point.iter().map(|x| x.norm())));
-    let size = match norm(&mut known.iter().copied()) {
-        0.0 => norms.fold(f64::MIN_POSITIVE, f64::max),
-        own => own,
-    };
-    let length = |point: &Vec<Complex<f64>>| norm(&mut point.iter().zip(known).map(|(x, known)| (x - known).norm()));
-    returned.iter().map(|point| length(point) / size).fold(f64::INFINITY, f64::min)
 }
 
 fn count(expected: usize, judged: &Judged) -> Count {

@@ -316,6 +316,7 @@ mod tests {
             level,
             data: Vec::new(),
             solutions: Vec::new(),
+            results: Vec::new(),
             note: None,
         };
         Measured { instance, outcome: Outcome::default() }

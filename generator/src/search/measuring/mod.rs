@@ -5,6 +5,7 @@ pub mod interpreted;
 mod interpreted_chains;
 mod interpreted_elimination;
 mod interpreted_program;
+pub mod results;
 
 use std::ops::Range;
 use std::sync::OnceLock;
@@ -16,8 +17,10 @@ use crate::algebra::Random;
 use crate::expression::arithmetic::Float64;
 use crate::plan::Plan;
 use crate::problem::instance::draw_inputs;
+use crate::problem::scene::DrawnScene;
 use crate::search::monitor::is_set;
 use interpreted::InterpretedSolver;
+use results::has_known;
 
 /// What a solver does on many instances.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -26,11 +29,13 @@ pub struct Stability {
     pub residuals_log10: Vec<f64>,
     /// Number of instances.
     pub trials: usize,
-    /// Number of different complex solutions found, over all instances.
+    /// Number of different complex solutions found, over all random instances, and of solutions of
+    /// scenes.
     pub found: usize,
-    /// Number of solutions there are: trials times the number of solutions of the problem.
+    /// Number of solutions there are: those that the problem has for each random instance, and the
+    /// one of each scene that is known.
     pub expected: usize,
-    /// Number of instances with fewer solutions than the problem has.
+    /// Number of instances with fewer solutions.
     pub incomplete: usize,
     /// Number of instances on which the solver returned an error.
     pub failures: usize,
@@ -58,15 +63,15 @@ impl Stability {
         self.residuals_log10.sort_by(f64::total_cmp);
     }
 
-    fn add(&mut self, expected: usize, Solved { residuals, is_repeated }: Solved) {
+    fn add(&mut self, Solved { residuals, found, expected, is_repeated }: Solved) {
         self.trials += 1;
         self.repeated += usize::from(is_repeated);
         self.expected += expected;
         match residuals {
             None => self.failures += 1,
             Some(residuals) => {
-                self.found += residuals.len();
-                self.incomplete += usize::from(residuals.len() < expected);
+                self.found += found;
+                self.incomplete += usize::from(found < expected);
                 self.residuals_log10
                     .extend(residuals.iter().map(|residual| (1000.0 * residual.max(1e-17).log10()).round() / 1000.0));
             }
@@ -79,16 +84,17 @@ pub fn stability(plan: &Plan, trials: usize, seed: u64) -> Stability {
     measure(plan, 0..trials, seed, None)
 }
 
-/// Solves instances drawn on the data's variety; instance k depends on (seed, k) only. Where the
-/// flag is set no further instance is begun, and only those before the first that was not begun are
+/// Solves instances drawn on the data's variety; instance k depends on (seed, k) only. If the
+/// problem has a scene that says what solves it, every second instance is one. Where the flag is
+/// set no further instance is begun, and only those before the first that was not begun are
 /// counted.
 pub fn measure(plan: &Plan, instances: Range<usize>, seed: u64, interruption: Option<&AtomicBool>) -> Stability {
     use rayon::prelude::*;
     let solver = InterpretedSolver::of(plan);
-    let solve = |k: usize| (!is_set(interruption)).then(|| Solved::of(&solver, &random_instance(plan, seed, k)));
+    let solve = |k: usize| (!is_set(interruption)).then(|| Solved::of_instance(plan, &solver, (seed, k)));
     let results: Vec<Option<Solved>> = in_pool(|| instances.into_par_iter().map(solve).collect());
     let mut stability = Stability::default();
-    results.into_iter().map_while(|solved| solved).for_each(|solved| stability.add(plan.solutions, solved));
+    results.into_iter().map_while(|solved| solved).for_each(|solved| stability.add(solved));
     stability.residuals_log10.sort_by(f64::total_cmp);
     stability
 }
@@ -105,18 +111,45 @@ pub fn seed_of(seed: u64, k: usize) -> u64 {
 
 /// What the solver does on one instance.
 struct Solved {
-    /// The relative residuals of all complex solutions; `None` if the solver returned an error.
+    /// The relative residuals of the solutions; `None` if the solver returned an error.
     residuals: Option<Vec<f64>>,
+    /// The number of solutions that were found, and of those that there are.
+    found: usize,
+    expected: usize,
     /// Whether there was a second attempt.
     is_repeated: bool,
 }
 
 impl Solved {
-    fn of(solver: &InterpretedSolver, inputs: &[f64]) -> Self {
-        let Ok(mut instance) = solver.instance(inputs) else { return Self { residuals: None, is_repeated: false } };
+    /// Of instance k: every second one is a scene, if there is one that says what solves it.
+    fn of_instance(plan: &Plan, solver: &InterpretedSolver, (seed, k): (u64, usize)) -> Self {
+        let scene = plan.scene.as_ref().filter(|scene| k % 2 == 1 && scene.has_truth());
+        match scene.and_then(|scene| scene.draw(&mut Random::new(seed_of(seed, k)))) {
+            Some(scene) => Self::of_scene(plan, solver, &scene),
+            None => Self::of_random(plan, solver, &random_instance(plan, seed, k)),
+        }
+    }
+
+    /// All complex solutions are expected.
+    fn of_random(plan: &Plan, solver: &InterpretedSolver, inputs: &[f64]) -> Self {
+        let none = Self { residuals: None, found: 0, expected: plan.solutions, is_repeated: false };
+        let Ok(mut instance) = solver.instance(inputs) else { return none };
         let found = instance.solve_complex();
-        let residuals = found.map(|found| found.iter().map(|point| instance.residual(point)).collect()).ok();
-        Self { residuals, is_repeated: instance.attempts() > 1 }
+        let residuals: Option<Vec<f64>> =
+            found.map(|found| found.iter().map(|point| instance.residual(point)).collect()).ok();
+        let found = residuals.as_ref().map_or(0, Vec::len);
+        Self { residuals, found, is_repeated: instance.attempts() > 1, ..none }
+    }
+
+    /// The known solution is expected among the real ones. How many others there are is not known:
+    /// special data may have fewer.
+    fn of_scene(plan: &Plan, solver: &InterpretedSolver, scene: &DrawnScene) -> Self {
+        let none = Self { residuals: Some(Vec::new()), found: 0, expected: 1, is_repeated: false };
+        let Ok(mut instance) = solver.instance(&scene.data) else { return none };
+        let points = instance.solve().unwrap_or_default();
+        let residuals = Some(points.iter().map(|point| instance.residual(point)).collect());
+        let found = usize::from(has_known(plan, &points, scene));
+        Self { residuals, found, is_repeated: instance.attempts() > 1, ..none }
     }
 }
 

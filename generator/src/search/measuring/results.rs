@@ -1,0 +1,129 @@
+//! Solutions of an interpreted plan beside known ones, and what a problem returns for them.
+
+use eliminant::emitted::{chart_entry, to_chart, vector_of};
+
+use crate::expression::arithmetic::Float64;
+use crate::plan::output::PlannedElement;
+use crate::plan::{Plan, Term, interpret};
+use crate::problem::SolutionField;
+use crate::problem::scene::DrawnScene;
+
+/// A known solution counts as found if a returned one is this close, relative to it.
+const FOUND: f64 = 1e-6;
+
+/// Numbers all of which are known.
+pub(crate) fn all(known: &[f64]) -> Vec<Option<f64>> {
+    known.iter().copied().map(Some).collect()
+}
+
+/// Whether what a scene says of its solution is among the real solutions that were returned; true
+/// if it says nothing.
+pub fn has_known(plan: &Plan, points: &[Vec<f64>], scene: &DrawnScene) -> bool {
+    match (&scene.solution, &scene.results) {
+        (Some(known), _) => in_charts(plan, known).is_ok_and(|known| is_among(points, &all(&known))),
+        (_, Some(known)) => is_among(&results_of(plan, &scene.data, points), known),
+        _ => true,
+    }
+}
+
+/// Whether a known solution, or a known result, is among those that were returned, to
+/// [`FOUND`] of its length; at the origin of that of the largest.
+pub(crate) fn is_among(returned: &[Vec<f64>], known: &[Option<f64>]) -> bool {
+    let norm = |x: &mut dyn Iterator<Item = f64>| x.map(|x| x * x).sum::<f64>().sqrt();
+    // What is not known makes no difference.
+    let error = |(x, known): (&f64, &Option<f64>)| known.map_or(0.0, |known| x - known);
+    let size = match norm(&mut known.iter().flatten().copied()) {
+        0.0 => returned.iter().map(|point| norm(&mut point.iter().copied())).fold(f64::MIN_POSITIVE, f64::max),
+        own => own,
+    };
+    returned.iter().any(|point| norm(&mut point.iter().zip(known).map(error)) <= FOUND * size)
+}
+
+/// A solution as a solver returns it, with vectors that are given up to scale in coordinates of
+/// their charts. One that is in coordinates already stays as it is.
+pub(crate) fn in_charts(plan: &Plan, solution: &[f64]) -> Result<Vec<f64>, String> {
+    if solution.len() == plan.unknowns.len() {
+        return Ok(solution.to_vec());
+    }
+    let scalars: usize = plan.fields.iter().map(SolutionField::scalars).sum();
+    if solution.len() != scalars {
+        return Err(format!("a solution of `{}` has {scalars} numbers, not {}", plan.name, solution.len()));
+    }
+    let (mut unknowns, mut rest) = (vec![0.0; plan.unknowns.len()], solution);
+    for field in &plan.fields {
+        let (values, others) = rest.split_at(field.scalars());
+        rest = others;
+        match field.chart() {
+            Some(chart) => to_chart(&chart, values, &mut unknowns[field.unknowns()]),
+            None => unknowns[field.unknowns()].copy_from_slice(values),
+        }
+    }
+    Ok(unknowns)
+}
+
+/// The scalars of all fields of a solution: vectors that are given up to scale have length 1.
+pub fn scalars_of(plan: &Plan, point: &[f64]) -> Vec<f64> {
+    let mut scalars = Vec::new();
+    for field in &plan.fields {
+        let unknowns = &point[field.unknowns()];
+        match field.chart() {
+            None => scalars.extend(unknowns),
+            Some(chart) => {
+                let mut vector = vec![0.0; field.scalars()];
+                vector_of(&chart, unknowns, &mut vector);
+                scalars.extend(vector);
+            }
+        }
+    }
+    scalars
+}
+
+/// What the problem returns for each solution: the fields one after another, arrays row by row.
+/// Nothing if it returns nothing, or if data that are derived for it have no value.
+pub fn results_of(plan: &Plan, data: &[f64], points: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let Some(output) = &plan.output else { return Vec::new() };
+    let Some(coefficients) = interpret::coefficients_of_results(plan, output, Float64, data) else {
+        return Vec::new();
+    };
+    let of_point = |point: &Vec<f64>| {
+        let mut x = variables(plan, point);
+        output.parts.iter().for_each(|part| x.push(value(part, &coefficients, &x)));
+        let elements = output.fields.iter().flat_map(|field| &field.elements);
+        elements.map(|element| value(element, &coefficients, &x)).collect()
+    };
+    points.iter().map(of_point).collect()
+}
+
+/// What the polynomials of results hold: the unknowns, of vectors that are given up to scale their
+/// coordinates; then the last coordinate of each of these.
+fn variables(plan: &Plan, point: &[f64]) -> Vec<f64> {
+    let (mut x, mut last) = (point.to_vec(), Vec::new());
+    for field in &plan.fields {
+        let Some(chart) = field.chart() else { continue };
+        let mut vector = vec![0.0; field.scalars()];
+        vector_of(&chart, &point[field.unknowns()], &mut vector);
+        let factor = field.scale_of_chart();
+        let coordinates: Vec<f64> = chart.iter().map(|row| factor * chart_entry(row, &vector)).collect();
+        if let Some((of_last, others)) = coordinates.split_last() {
+            x[field.unknowns()].copy_from_slice(others);
+            last.push(*of_last);
+        }
+    }
+    x.extend(last);
+    x
+}
+
+/// The value of a scalar of the results.
+fn value(element: &PlannedElement, coefficients: &[f64], x: &[f64]) -> f64 {
+    let sum = |terms: &[Term]| terms.iter().map(|term| product(term, coefficients, x)).sum::<f64>();
+    let quotient = match &element.denominator {
+        Some(divisor) => sum(&element.numerator) / sum(divisor),
+        None => sum(&element.numerator),
+    };
+    if element.is_root { quotient.sqrt() } else { quotient }
+}
+
+fn product(term: &Term, coefficients: &[f64], x: &[f64]) -> f64 {
+    let powers = term.exponents.iter().zip(x).map(|(&exponent, x)| x.powi(exponent.into()));
+    coefficients[usize::from(term.coefficient.0)] * powers.product::<f64>()
+}
