@@ -231,6 +231,24 @@ fn a_template_that_is_not_confirmed_comes_with_a_warning() {
     assert!(folder.join("steep.template.toml").exists());
 }
 
+/// A scene that states something else than a solution costs every template half of its instances.
+#[test]
+fn a_scene_that_is_not_solved_is_told() {
+    let folder = folder("a_scene_that_is_not_solved_is_told");
+    let warnings = |root: &str| {
+        let scene = format!(
+            "#[scene]\nfn scene(root: f64) -> (Data, Solution) {{\n    \
+             (Data {{ square: root * root }}, Solution {{ x: {root} }})\n}}"
+        );
+        let text = format!("fn root(square: f64) -> x {{ x * x == square; }}\n{scene}");
+        fs::write(folder.join("root.rs"), text).unwrap();
+        json(&folder, &["search", "root.rs", "--trials", "50"])["warnings"].to_string()
+    };
+    assert_eq!(warnings("-root"), "[]");
+    let told = warnings("2 * root");
+    assert!(told.contains("what the scene says is not found on 25 of 25 scenes"), "{told}");
+}
+
 #[test]
 fn the_basis_can_be_bounded() {
     let folder = two_conics("the_basis_can_be_bounded");

@@ -181,6 +181,12 @@ fn warnings(problem: &Problem, choice: &Choice, cut: Option<&Cut>) -> Vec<String
              {INCOMPLETE_ONE_IN}. Of {trials}, the chosen one lacks a solution on {} and fails on {}",
             stability.incomplete, stability.failures
         ));
+        if 2 * stability.scenes_missed > stability.scenes {
+            warnings.push(format!(
+                "what the scene says is not found on {} of {} scenes: is it a solution? Most templates find most",
+                stability.scenes_missed, stability.scenes
+            ));
+        }
     } else if chosen.verdict == Verdict::Screened {
         warnings.push(format!("the chosen template was measured on {trials} only"));
     }

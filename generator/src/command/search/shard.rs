@@ -133,20 +133,7 @@ pub(super) struct ShardCandidate {
     growth: String,
     /// The text of a template file.
     template: String,
-    measured: Option<Measurement>,
-}
-
-/// A [`Stability`] as it is written.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Measurement {
-    trials: usize,
-    found: usize,
-    expected: usize,
-    incomplete: usize,
-    failures: usize,
-    repeated: usize,
-    residuals_log10: Vec<f64>,
+    measured: Option<Stability>,
 }
 
 impl ShardCandidate {
@@ -156,15 +143,11 @@ impl ShardCandidate {
         problem: &Problem,
         settings: &Settings,
     ) -> Self {
-        let measurement = |stability: Stability| {
-            let Stability { residuals_log10, trials, found, expected, incomplete, failures, repeated } = stability;
-            Measurement { trials, found, expected, incomplete, failures, repeated, residuals_log10 }
-        };
         Self {
             strategy: candidate.strategy,
             growth: candidate.growth.clone(),
             template: candidate.to_file(problem, &settings.options).to_text(&problem.unknowns),
-            measured: measured.map(measurement),
+            measured,
         }
     }
 
@@ -173,11 +156,7 @@ impl ShardCandidate {
         let plan = plan(problem, &file).map_err(|error| error.to_string())?.plan;
         let (strategy, growth) = (self.strategy, self.growth);
         let TemplateFile { presolve, template, zero_sets, .. } = file;
-        let stability = |measurement: Measurement| {
-            let Measurement { trials, found, expected, incomplete, failures, repeated, residuals_log10 } = measurement;
-            Stability { residuals_log10, trials, found, expected, incomplete, failures, repeated }
-        };
-        Ok((TemplateCandidate { presolve, strategy, growth, template, plan, zero_sets }, self.measured.map(stability)))
+        Ok((TemplateCandidate { presolve, strategy, growth, template, plan, zero_sets }, self.measured))
     }
 }
 

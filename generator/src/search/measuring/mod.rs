@@ -24,6 +24,7 @@ use results::has_known;
 
 /// What a solver does on many instances.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "command", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Stability {
     /// log10 of the relative residual of every solution found, to three decimals, increasing.
     pub residuals_log10: Vec<f64>,
@@ -37,6 +38,9 @@ pub struct Stability {
     pub expected: usize,
     /// Number of instances with fewer solutions.
     pub incomplete: usize,
+    /// Number of instances that are scenes, and of those whose known solution was not found.
+    pub scenes: usize,
+    pub scenes_missed: usize,
     /// Number of instances on which the solver returned an error.
     pub failures: usize,
     /// Instances on which the first attempt failed or lacked a solution. What the second one found
@@ -57,14 +61,18 @@ impl Stability {
         self.found += other.found;
         self.expected += other.expected;
         self.incomplete += other.incomplete;
+        self.scenes += other.scenes;
+        self.scenes_missed += other.scenes_missed;
         self.failures += other.failures;
         self.repeated += other.repeated;
         self.residuals_log10.extend(other.residuals_log10);
         self.residuals_log10.sort_by(f64::total_cmp);
     }
 
-    fn add(&mut self, Solved { residuals, found, expected, is_repeated }: Solved) {
+    fn add(&mut self, Solved { residuals, found, expected, is_repeated, is_scene }: Solved) {
         self.trials += 1;
+        self.scenes += usize::from(is_scene);
+        self.scenes_missed += usize::from(is_scene && found < expected);
         self.repeated += usize::from(is_repeated);
         self.expected += expected;
         match residuals {
@@ -118,6 +126,7 @@ struct Solved {
     expected: usize,
     /// Whether there was a second attempt.
     is_repeated: bool,
+    is_scene: bool,
 }
 
 impl Solved {
@@ -132,7 +141,7 @@ impl Solved {
 
     /// All complex solutions are expected.
     fn of_random(plan: &Plan, solver: &InterpretedSolver, inputs: &[f64]) -> Self {
-        let none = Self { residuals: None, found: 0, expected: plan.solutions, is_repeated: false };
+        let none = Self { residuals: None, found: 0, expected: plan.solutions, is_repeated: false, is_scene: false };
         let Ok(mut instance) = solver.instance(inputs) else { return none };
         let found = instance.solve_complex();
         let residuals: Option<Vec<f64>> =
@@ -144,7 +153,7 @@ impl Solved {
     /// The known solution is expected among the real ones. How many others there are is not known:
     /// special data may have fewer.
     fn of_scene(plan: &Plan, solver: &InterpretedSolver, scene: &DrawnScene) -> Self {
-        let none = Self { residuals: Some(Vec::new()), found: 0, expected: 1, is_repeated: false };
+        let none = Self { residuals: Some(Vec::new()), found: 0, expected: 1, is_repeated: false, is_scene: true };
         let Ok(mut instance) = solver.instance(&scene.data) else { return none };
         let points = instance.solve().unwrap_or_default();
         let residuals = Some(points.iter().map(|point| instance.residual(point)).collect());
