@@ -111,3 +111,15 @@ fn exchange(i: _, j: _) -> [[f64; 4]; 4] {
     matrix[j][i] = 1;
     matrix
 }
+
+/// Senders and receivers in a cube. Which of them is the origin depends on the ranges.
+#[scene]
+fn scene(senders: [[f64; 3]; 4], receivers: [[f64; 3]; 6]) -> Data {
+    let mut ranges = [[0; 4]; 6];
+    for i in 0..6 {
+        for j in 0..4 {
+            ranges[i][j] = norm(receivers[i] - senders[j]);
+        }
+    }
+    Data { ranges }
+}

@@ -25,3 +25,15 @@ fn of_line(line: [f64; 3]) -> [[f64; 6]; 6] {
     let r = [a * a, a * b, a * c, b * b, b * c, c * c];
     [r[0] * r, r[1] * r, r[2] * r, r[3] * r, r[4] * r, r[5] * r]
 }
+
+/// Ten tangents of a circle.
+#[scene]
+fn scene(#[unit] normals: [[f64; 2]; 10], place: [f64; 2], size: f64) -> (Data, Circle) {
+    let radius = 3 / 2 + size;
+    let mut gram = [[0; 6]; 6];
+    for normal in normals {
+        let line = concat(normal, -dot(normal, place) - radius);
+        gram += of_line(line) / 10;
+    }
+    (Data { gram }, Circle { centre: place, squared_radius: radius * radius, cost: 0 })
+}

@@ -34,3 +34,31 @@ fn fundamental_8pt_radial_one_side(first: [[f64; 2]; 8], second: [[f64; 2]; 8]) 
 
 /// Cosine and sine of the angle by which the image is turned.
 const TURN: [f64; 2] = [5 / 13, 12 / 13];
+
+/// Two cameras that look from about 4 away at points in a cube of side 2, from any sides.
+#[scene]
+fn scene(
+    #[rotation] rotation: [[f64; 3]; 3],
+    shift: [f64; 3],
+    zooms: [f64; 2],
+    distortion: f64,
+    points: [[f64; 3]; 8],
+) -> (Data, RadialEpipolar) {
+    let centre = [0, 0, 4];
+    let [f, g] = [3 / 2 + zooms[0] / 2, 3 / 2 + zooms[1] / 2];
+    let radial = (distortion - 1) / 4;
+    let mut first = [[0; 2]; 8];
+    let mut second = [[0; 2]; 8];
+    for k in 0..8 {
+        let [x, y, depth] = points[k] + centre;
+        first[k] = f * [x, y] / depth;
+        let [x, y, depth] = rotation * points[k] + centre + shift;
+        second[k] = distorted(g * [x, y] / depth, radial);
+    }
+    (Data { first, second }, RadialEpipolar { radial })
+}
+
+/// The image p of which p / (1 + radial |p|^2) is given.
+fn distorted(image: [f64; 2], radial: f64) -> [f64; 2] {
+    2 * image / (1 + sqrt(1 - 4 * radial * dot(image, image)))
+}

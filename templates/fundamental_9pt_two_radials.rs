@@ -43,3 +43,31 @@ fn fundamental_9pt_two_radials(first: [[f64; 2]; 9], second: [[f64; 2]; 9]) -> (
 
 /// Cosine and sine of the angle by which the second image is turned.
 const TURN: [f64; 2] = [5 / 13, 12 / 13];
+
+/// Two cameras that look from about 4 away at points in a cube of side 2, from any sides.
+#[scene]
+fn scene(
+    #[rotation] rotation: [[f64; 3]; 3],
+    shift: [f64; 3],
+    zooms: [f64; 2],
+    distortions: [f64; 2],
+    points: [[f64; 3]; 9],
+) -> (Data, RadialEpipolar) {
+    let centre = [0, 0, 4];
+    let [f, g] = [3 / 2 + zooms[0] / 2, 3 / 2 + zooms[1] / 2];
+    let radials = [(distortions[0] - 1) / 4, (distortions[1] - 1) / 4];
+    let mut first = [[0; 2]; 9];
+    let mut second = [[0; 2]; 9];
+    for k in 0..9 {
+        let [x, y, depth] = points[k] + centre;
+        first[k] = distorted(f * [x, y] / depth, radials[0]);
+        let [x, y, depth] = rotation * points[k] + centre + shift;
+        second[k] = distorted(g * [x, y] / depth, radials[1]);
+    }
+    (Data { first, second }, RadialEpipolar { radials })
+}
+
+/// The image p of which p / (1 + radial |p|^2) is given.
+fn distorted(image: [f64; 2], radial: f64) -> [f64; 2] {
+    2 * image / (1 + sqrt(1 - 4 * radial * dot(image, image)))
+}

@@ -34,3 +34,24 @@ fn three_of(images: [[f64; 2]; 4], unit: f64) -> [[f64; 3]; 3] {
 fn in_units(image: [f64; 2], unit: f64) -> [f64; 3] {
     [image[0], image[1], unit]
 }
+
+/// Two cameras that look from about 4 away at points of a plane through the middle of what they see.
+/// The homography is known up to scale only.
+#[scene]
+fn scene(
+    #[rotation] rotation: [[f64; 3]; 3],
+    shift: [f64; 3],
+    #[rotation] plane: [[f64; 3]; 3],
+    points: [[f64; 2]; 4],
+) -> Data {
+    let centre = [0, 0, 4];
+    let [mut first, mut second] = [[[0; 2]; 4], [[0; 2]; 4]];
+    for k in 0..4 {
+        let point = plane * concat(points[k], 0);
+        let [x, y, depth] = point + centre;
+        first[k] = [x, y] / depth;
+        let [x, y, depth] = rotation * point + centre + shift;
+        second[k] = [x, y] / depth;
+    }
+    Data { first, second }
+}

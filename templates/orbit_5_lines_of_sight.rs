@@ -32,3 +32,26 @@ fn orbit_5_lines_of_sight(sights: [[[f64; 3]; 2]; 5]) -> (a, b, p, q, r, square)
         semi_latus_rectum: sqrt(1 / square),
     }
 }
+
+/// Five points of an ellipse, seen from the unit circle around the Sun in the plane of the first two
+/// axes.
+#[scene]
+fn scene(
+    #[unit] normal: [f64; 3],
+    towards: [f64; 3],
+    size: f64,
+    bodies: [[f64; 3]; 5],
+    #[unit] seasons: [[f64; 2]; 5],
+) -> (Data, Orbit) {
+    normal[2] > 1 / 10;
+    let eccentricity = cross(normal, towards) / 3;
+    let semi_latus_rectum = 5 / 4 + 3 * size / 4;
+    let mut sights = [[[0; 3]; 2]; 5];
+    for k in 0..5 {
+        let observer = concat(seasons[k], 0);
+        let direction = normalise(cross(normal, bodies[k]));
+        let body = semi_latus_rectum / (1 + dot(eccentricity, direction)) * direction;
+        sights[k] = [observer, normalise(body - observer)];
+    }
+    (Data { sights }, Orbit { normal, eccentricity, semi_latus_rectum })
+}

@@ -26,3 +26,24 @@ fn pose_3pt_upright_error_bound(points: [[f64; 3]; 3], images: [[f64; 2]; 3], bo
     det(derivatives) == 0;
     Pose { rotation: [[1, 0, 0], [0, y, -z], [0, z, y]], translation: [u, v, w] }
 }
+
+/// A camera that looks from about 4 away at points in a cube of side 2 and is off by the bound in
+/// each image. That the errors are stationary is not stated, so that the pose is none of those that
+/// are found.
+#[scene]
+fn scene(
+    #[unit] turn: [f64; 2],
+    shift: [f64; 3],
+    tolerance: f64,
+    points: [[f64; 3]; 3],
+    #[unit] errors: [[f64; 2]; 3],
+) -> Data {
+    let rotation = [[1, 0, 0], [0, turn[0], -turn[1]], [0, turn[1], turn[0]]];
+    let bound = (tolerance + 3 / 2) / 200;
+    let mut images = [[0; 2]; 3];
+    for k in 0..3 {
+        let [x, y, depth] = rotation * points[k] + [0, 0, 4] + shift;
+        images[k] = [x, y] / depth + bound * errors[k];
+    }
+    Data { points, images, bound }
+}

@@ -73,3 +73,27 @@ fn pose_4pt_focal_radial_cut(points: [[f64; 3]; 4], images: [[f64; 2]; 4]) -> (
     }
     RadialPose { projection: projection, focal: sqrt(dot(p1, p1) / dot(p3, p3)), radial: radial }
 }
+
+/// A camera that looks from about 4 away at points in a cube of side 2.
+#[scene]
+fn scene(
+    #[rotation] rotation: [[f64; 3]; 3],
+    shift: [f64; 3],
+    zoom: f64,
+    distortion: f64,
+    points: [[f64; 3]; 4],
+) -> (Data, RadialPose) {
+    let focal = 3 / 2 + zoom / 2;
+    let radial = (distortion - 1) / 4;
+    let mut images = [[0; 2]; 4];
+    for k in 0..4 {
+        let [x, y, depth] = rotation * points[k] + [0, 0, 4] + shift;
+        images[k] = distorted(focal * [x, y] / depth, radial);
+    }
+    (Data { points, images }, RadialPose { focal, radial })
+}
+
+/// The image p of which p / (1 + radial |p|^2) is given.
+fn distorted(image: [f64; 2], radial: f64) -> [f64; 2] {
+    2 * image / (1 + sqrt(1 - 4 * radial * dot(image, image)))
+}

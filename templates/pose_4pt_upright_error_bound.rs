@@ -20,3 +20,24 @@ fn pose_4pt_upright_error_bound(points: [[f64; 3]; 4], images: [[f64; 2]; 4], bo
     y * y + z * z - 1 == 0;
     Pose { rotation: [[1, 0, 0], [0, y, -z], [0, z, y]], translation: [u, v, w] }
 }
+
+/// A camera that looks from about 4 away at points in a cube of side 2 and is off by the bound in
+/// each image.
+#[scene]
+fn scene(
+    #[unit] turn: [f64; 2],
+    shift: [f64; 3],
+    tolerance: f64,
+    points: [[f64; 3]; 4],
+    #[unit] errors: [[f64; 2]; 4],
+) -> (Data, Pose) {
+    let rotation = [[1, 0, 0], [0, turn[0], -turn[1]], [0, turn[1], turn[0]]];
+    let translation = [0, 0, 4] + shift;
+    let bound = (tolerance + 3 / 2) / 200;
+    let mut images = [[0; 2]; 4];
+    for k in 0..4 {
+        let [x, y, depth] = rotation * points[k] + translation;
+        images[k] = [x, y] / depth + bound * errors[k];
+    }
+    (Data { points, images, bound }, Pose { rotation, translation })
+}

@@ -73,3 +73,25 @@ fn pose_5pt_refraction(rays: [[f64; 3]; 5], points: [[f64; 3]; 5], index: f64) -
         ],
     }
 }
+
+/// A camera 1 to 3 above water that looks at points up to 3 deep in it, by Snell's law.
+#[scene]
+fn scene(
+    #[rotation] rotation: [[f64; 3]; 3],
+    foot: [f64; 2],
+    up: f64,
+    surface: [[f64; 2]; 5],
+    deep: [f64; 5],
+) -> (Data, RefractedPose) {
+    let [height, index] = [2 + up, 4 / 3];
+    let [mut rays, mut points] = [[[0; 3]; 5], [[0; 3]; 5]];
+    for k in 0..5 {
+        let ray = normalise(concat(2 * surface[k] - foot, height));
+        let [x, y, down] = ray;
+        let bent = [x, y] / sqrt(index * index - x * x - y * y);
+        let depth = 2 + deep[k];
+        rays[k] = rotation.t() * ray;
+        points[k] = concat(2 * surface[k] + depth * bent, depth);
+    }
+    (Data { rays, points, index }, RefractedPose { rotation, centre: concat(foot, -height) })
+}

@@ -45,3 +45,13 @@ fn pose_5tdoa_two_receivers(senders: [[f64; 3]; 5], differences: [f64; 5], dista
     dot(n, n) * right[0] - dot(centre, centre) == 0;
     ReceiverPair { direction: n, centre: unit * centre / dot(n, n) }
 }
+
+/// Senders and receivers in a cube. The line of the receivers is known up to scale only.
+#[scene]
+fn scene(senders: [[f64; 3]; 5], centre: [f64; 3], line: [f64; 3]) -> (Data, ReceiverPair) {
+    let mut differences = [0; 5];
+    for k in 0..5 {
+        differences[k] = dot(line, normalise(senders[k] - centre));
+    }
+    (Data { senders, differences, distance: norm(line) }, ReceiverPair { centre })
+}

@@ -59,3 +59,29 @@ fn turned_back(m: [[f64; 3]; 3], image: [f64; 2], focal: f64) -> [[f64; 3]; 3] {
 fn translation_of(m: [[f64; 3]; 3], image: [f64; 2], depth: f64, point: [f64; 3], focal: f64) -> [f64; 3] {
     depth * [image[0] / focal, image[1] / focal, 1] - turned_back(m, image, focal) * point
 }
+
+/// A camera that looks from about 4 away at points in a cube of side 2, and calibrated ones around
+/// them.
+#[scene]
+fn scene(
+    #[rotation] rotation: [[f64; 3]; 3],
+    shift: [f64; 3],
+    zoom: f64,
+    point: [f64; 3],
+    points: [[f64; 3]; 5],
+    centres: [[f64; 3]; 5],
+) -> (Data, FocalPose) {
+    let translation = [0, 0, 4] + shift;
+    let focal = 3 / 2 + zoom / 2;
+    let [x, y, depth] = rotation * point + translation;
+    let image = focal * [x, y] / depth;
+    let mut images = [[0; 2]; 5];
+    let [mut places, mut directions] = [points, points];
+    for k in 0..5 {
+        let [x, y, depth] = rotation * points[k] + translation;
+        images[k] = focal * [x, y] / depth;
+        places[k] = 4 * centres[k];
+        directions[k] = points[k] - places[k];
+    }
+    (Data { point, image, images, centres: places, directions }, FocalPose { rotation, translation, focal })
+}

@@ -31,3 +31,24 @@ fn relpose_6pt_focal_one_side(first: [[f64; 2]; 6], second: [[f64; 3]; 6]) -> (#
     let to_unit = [[1, 0, 0], [0, 1, 0], [0, 0, unit]];
     FocalPose { fundamental: f * to_unit, focal: sqrt(unit * unit / w) }
 }
+
+/// Two cameras that look from about 4 away at points in a cube of side 2, from any sides.
+#[scene]
+fn scene(
+    #[rotation] rotation: [[f64; 3]; 3],
+    shift: [f64; 3],
+    zoom: f64,
+    points: [[f64; 3]; 6],
+) -> (Data, FocalPose) {
+    let centre = [0, 0, 4];
+    let focal = 3 / 2 + zoom / 2;
+    let mut first = [[0; 2]; 6];
+    let mut second = [[0; 3]; 6];
+    for k in 0..6 {
+        let [x, y, depth] = points[k] + centre;
+        first[k] = focal * [x, y] / depth;
+        let [x, y, depth] = rotation * points[k] + centre + shift;
+        second[k] = [x, y, depth];
+    }
+    (Data { first, second }, FocalPose { focal })
+}

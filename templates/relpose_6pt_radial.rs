@@ -67,3 +67,29 @@ fn about_axis(angle: [f64; 2]) -> [[f64; 3]; 3] {
     let [c, s] = angle;
     [[c, -s, 0], [s, c, 0], [0, 0, 1]]
 }
+
+/// Two cameras that look from about 4 away at points in a cube of side 2, from any sides.
+#[scene]
+fn scene(
+    #[rotation] rotation: [[f64; 3]; 3],
+    shift: [f64; 3],
+    distortion: f64,
+    points: [[f64; 3]; 6],
+) -> (Data, RadialPose) {
+    let centre = [0, 0, 4];
+    let radial = (distortion - 1) / 4;
+    let mut first = [[0; 2]; 6];
+    let mut second = [[0; 2]; 6];
+    for k in 0..6 {
+        let [x, y, depth] = points[k] + centre;
+        first[k] = distorted([x, y] / depth, radial);
+        let [x, y, depth] = rotation * points[k] + centre + shift;
+        second[k] = distorted([x, y] / depth, radial);
+    }
+    (Data { first, second }, RadialPose { radial })
+}
+
+/// The image p of which p / (1 + radial |p|^2) is given.
+fn distorted(image: [f64; 2], radial: f64) -> [f64; 2] {
+    2 * image / (1 + sqrt(1 - 4 * radial * dot(image, image)))
+}

@@ -81,3 +81,26 @@ fn times(p: [f64; 2], q: [f64; 2]) -> [f64; 3] {
 fn squared(v: [f64; 3]) -> f64 {
     dot(v, v)
 }
+
+/// Two cameras that are turned by the angle about any axis, a unit apart in any direction.
+#[scene]
+fn scene(
+    #[unit] half_angle: [f64; 2],
+    #[unit] axis: [f64; 3],
+    #[unit] baseline: [f64; 3],
+    zoom: f64,
+    centre: [f64; 2],
+) -> (Data, Camera) {
+    let focal = 3 / 2 + zoom / 2;
+    let [w, s] = half_angle;
+    let [x, y, z] = s * axis;
+    let rotation = [
+        [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
+    ];
+    let [x, y, z] = baseline;
+    let essential = [[0, -z, y], [z, 0, -x], [-y, x, 0]] * rotation;
+    let calibration = [[1, 0, -centre[0]], [0, 1, -centre[1]], [0, 0, focal]];
+    (Data { fundamental: calibration.t() * essential * calibration, half_angle }, Camera { focal, centre })
+}

@@ -39,3 +39,31 @@ fn relpose_7pt_focal_radial_one_side(first: [[f64; 2]; 7], second: [[f64; 2]; 7]
     w > 0;
     RadialFocalPose { fundamental: f.t(), focal: sqrt(1 / w), radial: radial }
 }
+
+/// Two cameras that look from about 4 away at points in a cube of side 2, from any sides.
+#[scene]
+fn scene(
+    #[rotation] rotation: [[f64; 3]; 3],
+    shift: [f64; 3],
+    zoom: f64,
+    distortion: f64,
+    points: [[f64; 3]; 7],
+) -> (Data, RadialFocalPose) {
+    let centre = [0, 0, 4];
+    let focal = 3 / 2 + zoom / 2;
+    let radial = (distortion - 1) / 4;
+    let mut first = [[0; 2]; 7];
+    let mut second = [[0; 2]; 7];
+    for k in 0..7 {
+        let [x, y, depth] = points[k] + centre;
+        first[k] = distorted(focal * [x, y] / depth, radial);
+        let [x, y, depth] = rotation * points[k] + centre + shift;
+        second[k] = [x, y] / depth;
+    }
+    (Data { first, second }, RadialFocalPose { focal, radial })
+}
+
+/// The image p of which p / (1 + radial |p|^2) is given.
+fn distorted(image: [f64; 2], radial: f64) -> [f64; 2] {
+    2 * image / (1 + sqrt(1 - 4 * radial * dot(image, image)))
+}

@@ -79,3 +79,19 @@ fn change(view: [[f64; 4]; 2], to: [f64; 4], depth: f64, depth_there: f64, x: f6
     let error = view * [x, y, z, 1];
     depth * dot(error, view * to) - depth_there * dot(error, error)
 }
+
+/// Three cameras at random that look from about 4 away at a point in a cube of side 2.
+#[scene]
+fn scene(#[rotation] rotations: [[[f64; 3]; 3]; 3], shifts: [[f64; 3]; 3], position: [f64; 3]) -> (Data, Point) {
+    let mut cameras = [[[0; 4]; 3]; 3];
+    let mut images = [[0; 2]; 3];
+    for k in 0..3 {
+        let translation = [0, 0, 4] + shifts[k];
+        for i in 0..3 {
+            cameras[k][i] = concat(rotations[k][i], translation[i]);
+        }
+        let [x, y, depth] = rotations[k] * position + translation;
+        images[k] = [x, y] / depth;
+    }
+    (Data { cameras, images }, Point { position })
+}

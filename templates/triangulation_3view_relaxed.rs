@@ -22,3 +22,23 @@ fn triangulation_3view_relaxed(
     gradient(cost + x7 * dot(p1, first * p2) + x8 * dot(p2, second * p3)) == 0;
     Corrected { images: corrected, cost: cost }
 }
+
+/// Three cameras at random that look from about 4 away at a point in a cube of side 2.
+#[scene]
+fn scene(#[rotation] rotations: [[[f64; 3]; 3]; 3], shifts: [[f64; 3]; 3], point: [f64; 3]) -> (Data, Corrected) {
+    let mut image = [[0; 2]; 3];
+    for k in 0..3 {
+        let [x, y, depth] = rotations[k] * point + [0, 0, 4] + shifts[k];
+        image[k] = [x, y] / depth;
+    }
+    let first = between(rotations[0], [0, 0, 4] + shifts[0], rotations[1], [0, 0, 4] + shifts[1]);
+    let second = between(rotations[1], [0, 0, 4] + shifts[1], rotations[2], [0, 0, 4] + shifts[2]);
+    (Data { first, second, image }, Corrected { images: image, cost: 0 })
+}
+
+/// The matrix E of which p^T E q = 0 for the images p in the first camera and q in the second.
+fn between(r: [[f64; 3]; 3], t: [f64; 3], s: [[f64; 3]; 3], u: [f64; 3]) -> [[f64; 3]; 3] {
+    let rotation = r * s.t();
+    let [x, y, z] = t - rotation * u;
+    [[0, -z, y], [z, 0, -x], [-y, x, 0]] * rotation
+}

@@ -2,7 +2,7 @@
 
 use eliminant_generator::algebra::Random;
 use eliminant_generator::generate::plan;
-use eliminant_generator::problem::scene::DrawnScene;
+use eliminant_generator::problem::scene::{DrawnScene, Scene};
 use eliminant_generator::problem::{DataAttribute, DataParameter, Problem};
 use eliminant_generator::search::measuring::interpreted::InterpretedSolver;
 use eliminant_generator::search::measuring::results::has_known;
@@ -45,19 +45,20 @@ fn off_condition(parameter: &DataParameter, data: &[f64]) -> f64 {
     }
 }
 
-/// The pose of a scene is known; the solver must find it, on all but one scene in a hundred of each
-/// problem.
+/// Of most scenes something is known; the solver must find it, on all but one scene in a hundred of
+/// each problem. On the others it must not fail.
 #[test]
 fn solvers_find_what_scenes_say() {
     let problems = problems_with_scenes();
-    assert!(problems.len() >= 24, "{} problems have scenes", problems.len());
+    assert!(problems.len() >= 51, "{} problems have scenes", problems.len());
+    let known = problems.iter().filter(|problem| problem.scene.as_ref().is_some_and(Scene::has_truth)).count();
+    assert!(known >= 46, "of {known} problems something is known");
     let mut failures = Vec::new();
     for problem in &problems {
         let text = std::fs::read_to_string(templates_folder().join(format!("{}.template.toml", problem.name)));
         let file = TemplateFile::parse(&text.expect("a template"), &problem.unknowns).expect("a template");
         let plan = plan(problem, &file).expect("its template").plan;
         let (solver, scene) = (InterpretedSolver::of(&plan), problem.scene.as_ref().expect("it has a scene"));
-        assert!(scene.has_truth(), "{}", problem.name);
         let count = (WORK / plan.operations().total() as u64).clamp(8, SCENES);
         let scenes: Vec<_> = (0..count).map(|seed| scene.draw(&mut Random::new(seed)).expect("drawn")).collect();
         let off =

@@ -33,7 +33,8 @@ pub(super) struct Outcome {
     pub(super) real: Count,
     /// Of `solve_complex`.
     pub(super) complex: Count,
-    /// Solutions and results that the instance came with, and how many of them `solve` did not return to 1e-6.
+    /// Solutions and results that the instance came with, and how many of them `solve` did not
+    /// return to 1e-6.
     pub(super) known: usize,
     pub(super) known_missed: usize,
     /// The largest relative residual of a returned point.
