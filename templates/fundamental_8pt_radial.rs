@@ -35,9 +35,8 @@ fn fundamental_8pt_radial(first: [[f64; 2]; 8], second: [[f64; 2]; 8]) -> (radia
     RadialEpipolar { fundamental: [upper[0], upper[1], [f31, f32, z]], radial: radial }
 }
 
-/// Two cameras that look from about 4 away at points in a cube of side 2, from any sides
-/// and
-/// bend their images alike.
+/// Two cameras that look from about 4 away at points in a cube of side 2, from any sides, and bend
+/// their images alike.
 #[scene]
 fn scene(
     #[rotation] rotation: [[f64; 3]; 3],

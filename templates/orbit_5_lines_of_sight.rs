@@ -33,8 +33,8 @@ fn orbit_5_lines_of_sight(sights: [[[f64; 3]; 2]; 5]) -> (a, b, p, q, r, square)
     }
 }
 
-/// Five points of an ellipse, seen from the unit circle around the Sun in the plane of the first two
-/// axes.
+/// Five points of an ellipse, seen from the unit circle around the Sun in the plane of the first
+/// two axes.
 #[scene]
 fn scene(
     #[unit] normal: [f64; 3],
