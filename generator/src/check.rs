@@ -10,7 +10,8 @@ use crate::algebra::{
 use crate::presolve::symmetry::Symmetry;
 use crate::presolve::{Presolve, ReducedProblem, presolve};
 use crate::problem::diagnostic::{Diagnostic, Diagnostics};
-use crate::problem::instance::{Draw, Instance};
+use crate::problem::draw::Draw;
+use crate::problem::instance::Instance;
 use crate::problem::{Problem, SolutionField, Statement};
 
 /// The numbers of solutions of a problem with general data.

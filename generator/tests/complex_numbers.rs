@@ -6,7 +6,7 @@ use eliminant::Complex;
 use eliminant_generator::algebra::{PRIMES, PrimeField, Random};
 use eliminant_generator::check::check;
 use eliminant_generator::generate::plan;
-use eliminant_generator::problem::instance::draw_inputs;
+use eliminant_generator::problem::draw::draw_inputs;
 use eliminant_generator::problem::{DataAttribute, Problem};
 use eliminant_generator::search::measuring::interpreted::InterpretedSolver;
 use eliminant_generator::template::file::TemplateFile;

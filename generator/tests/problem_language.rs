@@ -3,7 +3,8 @@
 use eliminant_generator::algebra::Random;
 use eliminant_generator::algebra::{PRIMES, PrimeField};
 use eliminant_generator::expression::SymbolicPolynomial;
-use eliminant_generator::problem::instance::{Instance, draw_inputs};
+use eliminant_generator::problem::draw::draw_inputs;
+use eliminant_generator::problem::instance::Instance;
 use eliminant_generator::problem::{DataAttribute, Problem};
 
 const FIELD: PrimeField = PrimeField::new(PRIMES[0]);

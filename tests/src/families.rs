@@ -3,7 +3,7 @@
 use eliminant_generator::algebra::Random;
 use eliminant_generator::expression::arithmetic::Float64;
 use eliminant_generator::problem::DataParameter;
-use eliminant_generator::problem::instance::draw_inputs;
+use eliminant_generator::problem::draw::draw_inputs;
 
 use crate::Case;
 use crate::ground_truth::{Make, makers};

@@ -8,7 +8,7 @@ use std::thread::Builder;
 use eliminant::Workspace;
 use eliminant_generator::algebra::Random;
 use eliminant_generator::expression::arithmetic::Float64;
-use eliminant_generator::problem::instance::draw_inputs;
+use eliminant_generator::problem::draw::draw_inputs;
 use eliminant_generator::search::measuring::interpreted::InterpretedSolver;
 
 use crate::Case;

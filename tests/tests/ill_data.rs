@@ -4,7 +4,7 @@ use eliminant::{Complex, SolveError};
 use eliminant_generator::algebra::Random;
 use eliminant_generator::expression::arithmetic::Float64;
 use eliminant_generator::plan::interpret;
-use eliminant_generator::problem::instance::draw_inputs;
+use eliminant_generator::problem::draw::draw_inputs;
 use eliminant_generator::problem::{DataAttribute, DataParameter, SolutionField};
 use eliminant_tests::bounds::share;
 use eliminant_tests::measure::are_distinct;

@@ -9,7 +9,7 @@ use eliminant_generator::algebra::Random;
 use eliminant_generator::expression::arithmetic::Float64;
 use eliminant_generator::plan::Plan;
 use eliminant_generator::problem::SolutionField;
-use eliminant_generator::problem::instance::draw_inputs;
+use eliminant_generator::problem::draw::draw_inputs;
 use eliminant_generator::search::measuring::interpreted::InterpretedSolver;
 use eliminant_tests::ground_truth::makers;
 use eliminant_tests::measure::affordable;

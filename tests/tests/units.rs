@@ -4,7 +4,8 @@
 use eliminant_generator::algebra::{PRIMES, PrimeField, Random};
 use eliminant_generator::expression::SymbolicPolynomial;
 use eliminant_generator::problem::chart::entry;
-use eliminant_generator::problem::instance::{Draw, Instance};
+use eliminant_generator::problem::draw::Draw;
+use eliminant_generator::problem::instance::Instance;
 use eliminant_generator::problem::{Problem, Scaling};
 use eliminant_generator::search::measuring::interpreted::InterpretedSolver;
 use eliminant_tests::ground_truth::{FOUND, Maker, makers};

@@ -14,7 +14,7 @@ use super::{
 use crate::algebra::Monomial;
 use crate::expression::{ExpressionGraph, ExpressionId, SymbolicPolynomial};
 use crate::presolve::pair::images;
-use crate::presolve::symmetry::Reading;
+use crate::presolve::symmetry::{Reading, Symmetry};
 use crate::presolve::{LinearBlock, ReducedProblem};
 use crate::problem::Problem;
 use crate::problem::output::Output;
@@ -110,12 +110,7 @@ impl Scheduler<'_> {
         let extra = template.extra();
         let read = extra.iter().filter_map(|m| pivots.get(m).copied()).collect();
         let symmetry = reduced.symmetry.of_template(&template.action, &template.basis).on(&reduced.kept);
-        let has_origin = reduced.problem.has_origin();
-        let most = template.basis.len() * symmetry.order() + usize::from(has_origin);
-        if self.solutions > most {
-            let what = format!("{} solutions, but its basis gives {most} at most", self.solutions);
-            return Err(ScheduleError::Mismatch(what));
-        }
+        self.check_basis(&symmetry)?;
         let width = problem.unknowns.len();
         let extractions = self.extractions(&extra, &symmetry.readings(&reduced.kept))?;
         let images = symmetry.all().iter().map(|flip| images(width, flip, &reduced.pairs)).collect();
@@ -150,7 +145,7 @@ impl Scheduler<'_> {
             unknowns: problem.unknowns.clone(),
             fields: problem.fields.clone(),
             solutions: self.solutions,
-            has_origin,
+            has_origin: reduced.problem.has_origin(),
             zeros: zeros(problem, reduced, template, &extractions),
             program,
             coefficients: values,
@@ -172,6 +167,17 @@ impl Scheduler<'_> {
         };
         plan.check()?;
         Ok(plan)
+    }
+
+    /// Refuses a basis that is too small for the solutions that there are.
+    fn check_basis(&self, symmetry: &Symmetry) -> Result<(), ScheduleError> {
+        let has_origin = self.reduced.problem.has_origin();
+        let most = self.template.basis.len() * symmetry.order() + usize::from(has_origin);
+        if self.solutions > most {
+            let what = format!("{} solutions, but its basis gives {most} at most", self.solutions);
+            return Err(ScheduleError::Mismatch(what));
+        }
+        Ok(())
     }
 
     /// How the unknowns are read: in the first of the `ways` that reads all of them.

@@ -2,8 +2,9 @@
 
 use syn::{Expr, ExprCall};
 
+use super::draw::redraw;
 use super::functions::BuiltIn;
-use super::instance::{redraw, redrawn};
+use super::instance::redrawn;
 use super::interpret::Interpreter;
 use super::scope::Outcome;
 use super::syntax::place;

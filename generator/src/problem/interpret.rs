@@ -7,12 +7,13 @@ use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 use syn::{BinOp, Block, Expr, ExprBinary, ExprForLoop, ItemFn, Local, Pat, RangeLimits, Stmt};
 
+use super::data::PARTS;
 use super::names::emitted_name;
 use super::output::{Output, OutputElement};
 use super::scope::{Binding, Kind, Outcome, Reported, Scopes};
 use super::syntax::place;
 use super::value::{Algebra, Checked, MAX_ELEMENTS, Value, describe, fault};
-use super::{DataParameter, PARTS, Span, Statement, element_name};
+use super::{DataParameter, Span, Statement, element_name};
 use crate::algebra::Monomial;
 use crate::expression::{ExpressionGraph, SymbolicPolynomial};
 use crate::problem::diagnostic::{Diagnostic, MAX_MESSAGES};

@@ -237,7 +237,7 @@ mod tests {
     use super::*;
     use crate::algebra::{PRIMES, Polynomial, PrimeField};
     use crate::presolve::symmetry::Symmetry;
-    use crate::problem::instance::Draw;
+    use crate::problem::draw::Draw;
     use crate::search::grow::{Growth, Shifts, monomials_up_to};
     use crate::search::monitor::Unmonitored;
     use crate::template::verify::verify;

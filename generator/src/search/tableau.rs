@@ -295,7 +295,7 @@ fn inverse(list: &[usize], first: usize, count: usize) -> Vec<Option<usize>> {
 mod tests {
     use super::*;
     use crate::algebra::{PRIMES, Polynomial, Random};
-    use crate::problem::instance::Draw;
+    use crate::problem::draw::Draw;
     use crate::search::grow::{Growth, Shifts, monomials_up_to};
 
     const UNKNOWNS: [usize; 2] = [0, 1];

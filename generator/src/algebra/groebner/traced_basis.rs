@@ -76,7 +76,7 @@ mod tests {
 
     use super::*;
     use crate::algebra::{Echelon, PRIMES, Random};
-    use crate::problem::instance::Draw;
+    use crate::problem::draw::Draw;
 
     /// Whether every row of `wanted` is in the span of the others.
     fn spans(field: PrimeField, rows: &[Polynomial<u32>], wanted: &[Polynomial<u32>]) -> bool {

@@ -7,7 +7,7 @@ use crate::algebra::Random;
 use crate::expression::arithmetic::{Arithmetic, Float64};
 use crate::expression::rational::Rational;
 use crate::plan::Plan;
-use crate::problem::instance::{Draw, draw_inputs};
+use crate::problem::draw::{Draw, draw_inputs};
 use crate::problem::scene::DrawnScene;
 use crate::problem::{DataAttribute, DataParameter, Scaling};
 use crate::search::measuring::results::in_charts;

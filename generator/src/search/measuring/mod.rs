@@ -16,7 +16,7 @@ use rayon::ThreadPool;
 use crate::algebra::Random;
 use crate::expression::arithmetic::Float64;
 use crate::plan::Plan;
-use crate::problem::instance::draw_inputs;
+use crate::problem::draw::draw_inputs;
 use crate::problem::scene::DrawnScene;
 use crate::search::monitor::is_set;
 use interpreted::InterpretedSolver;
@@ -38,8 +38,9 @@ pub struct Stability {
     pub expected: usize,
     /// Number of instances with fewer solutions.
     pub incomplete: usize,
-    /// Number of instances that are scenes, and of those whose known solution was not found.
+    /// Number of instances that are scenes whose solution is known.
     pub scenes: usize,
+    /// Number of those whose known solution was not found.
     pub scenes_missed: usize,
     /// Number of instances on which the solver returned an error.
     pub failures: usize,
