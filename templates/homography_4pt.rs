@@ -35,8 +35,8 @@ fn in_units(image: [f64; 2], unit: f64) -> [f64; 3] {
     [image[0], image[1], unit]
 }
 
-/// Two cameras that look from about 4 away at points of a plane. The homography is known up to scale
-/// only.
+/// Two cameras that look from about 4 away at points of a plane. The homography is known up to
+/// scale only.
 #[scene]
 fn scene(
     #[rotation] rotation: [[f64; 3]; 3],

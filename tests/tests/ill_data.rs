@@ -41,13 +41,11 @@ const ROUNDED: [&str; 3] = ["pose_1pt_2line", "pose_2pt_1line", "pose_4pt_focal"
 /// instances that are solved at the next exponents outside. A factor of the data is no factor of
 /// the equations: it moves the solutions, the monomials of the basis differ by powers of it, and an
 /// eigenvector in `f64` does not hold both.
-const UNITS: [(&str, i32, i32); 15] = [
+const UNITS: [(&str, i32, i32); 14] = [
     // 0.75 at 4.
     ("calibration_6_receivers_4_senders", -4, 2),
     // 0.35 at 8: images in another unit have another distortion.
     ("fundamental_8pt_radial", -10, 6),
-    // 0.60 at -10 and 0.05 at 8.
-    ("platform_forward_kinematics", -8, 6),
     // 0.63 at 8.
     ("pose_3pt_depths", -10, 6),
     // 3 of 5 at 6, and 0.76 at -10: images in another unit are other images.
