@@ -35,10 +35,10 @@ fn platform_forward_kinematics(base: [[f64; 3]; 6], platform: [[f64; 3]; 6], len
         parts[0][i] = null[i];
         parts[1][i] = null[3 + i];
     }
-    let less = dot(parts[0], parts[0]) - dot(parts[1], parts[1]);
+    let lead = dot(parts[0], parts[0]) - dot(parts[1], parts[1]);
     let stay = concat(joints[0], concat(joints[1], [parts[0], parts[1], [0, 0, 0]]));
     let exchange = concat(joints[1], concat(joints[0], [parts[1], parts[0], [1, 1, 1]]));
-    let chosen = least([-less, less], [stay, exchange]);
+    let chosen = least([-lead, lead], [stay, exchange]);
     let [p, q] = [chosen[10], chosen[11]];
     let exchanged = chosen[12][0];
     let frames = [frame(p), frame(least([-dot(q, q), -NOTHING * NOTHING], [q, [0, 0, 1]]))];
