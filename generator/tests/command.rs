@@ -231,7 +231,7 @@ fn a_template_that_is_not_confirmed_comes_with_a_warning() {
     assert!(folder.join("steep.template.toml").exists());
 }
 
-/// A scene that states something else than a solution costs every template half of its instances.
+/// A scene that states something else than a solution costs every template all instances.
 #[test]
 fn a_scene_that_is_not_solved_is_told() {
     let folder = folder("a_scene_that_is_not_solved_is_told");
@@ -246,7 +246,7 @@ fn a_scene_that_is_not_solved_is_told() {
     };
     assert_eq!(warnings("-root"), "[]");
     let told = warnings("2 * root");
-    assert!(told.contains("what the scene says is not found on 25 of 25 scenes"), "{told}");
+    assert!(told.contains("what the scene says is not found on 50 of 50 scenes"), "{told}");
 }
 
 #[test]

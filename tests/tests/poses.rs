@@ -5,9 +5,9 @@ use std::f64::consts::{PI, TAU};
 
 use eliminant_generator::algebra::Random;
 use eliminant_solvers::{
-    calibration_6_receivers_4_senders, homography_4pt, orbit_5_lines_of_sight, pose_1pt_2line, pose_2pt_1line,
-    pose_3line, pose_4pt_focal, pose_4pt_upright_error_bound, pose_5pt_refraction, pose_35pt_focal,
-    pose_npt_direct_least_squares, pose_npt_least_squares_cayley, pose_npt_least_squares_quaternion,
+    calibration_6_receivers_4_senders, homography_4pt, orbit_5_lines_of_sight, platform_forward_kinematics,
+    pose_1pt_2line, pose_2pt_1line, pose_3line, pose_4pt_focal, pose_4pt_upright_error_bound, pose_5pt_refraction,
+    pose_35pt_focal, pose_npt_direct_least_squares, pose_npt_least_squares_cayley, pose_npt_least_squares_quaternion,
     pose_npt_weak_perspective, relpose_3pt_depths, relpose_5pt_semi_generalized_focal, relpose_6pt_radial,
     relpose_7pt_focal_radial,
 };
@@ -383,4 +383,43 @@ fn positions_come_from_ranges() {
             errors.fold(0.0, f64::max) < FOUND
         })
     });
+}
+
+/// A platform above a base, both in a unit ball, with heights of their joints times these factors.
+struct Legs {
+    base: [Vector3<f64>; 6],
+    platform: [Vector3<f64>; 6],
+    rotation: Matrix3<f64>,
+    translation: Vector3<f64>,
+}
+
+impl Legs {
+    fn draw(random: &mut Random, [of_base, of_platform]: [f64; 2]) -> Self {
+        let mut joints = |height: f64| from_fn(|_| in_ball(random).component_mul(&Vector3::new(1.0, 1.0, height)));
+        let (base, platform) = (joints(of_base), joints(of_platform));
+        let (rotation, translation) = camera(random);
+        Self { base, platform, rotation, translation }
+    }
+
+    fn solve(&self) -> Result<Vec<platform_forward_kinematics::Pose>, String> {
+        let leg = |k: usize| (self.rotation * self.platform[k] + self.translation - self.base[k]).norm();
+        platform_forward_kinematics::solve_for_pose(&rays(&self.base), &rays(&self.platform), &from_fn(leg))
+            .map(|found| found.to_vec())
+            .map_err(|error| error.to_string())
+    }
+}
+
+/// Either may be flat, as usual ones are; if both are, the lengths are no equations of the kind
+/// that the solver derives.
+#[test]
+fn platforms_come_from_the_lengths_of_legs() {
+    for heights in [[1.0, 1.0], [0.0, 1.0], [1.0, 0.0]] {
+        check_some(200, LOST, |random| {
+            let legs = Legs::draw(random, heights);
+            let found = legs.solve().unwrap_or_default();
+            assert!(found.iter().all(|pose| is_rotation(&pose.rotation)));
+            found.iter().any(|pose| is_pose((&legs.rotation, &legs.translation), &pose.rotation, &pose.translation))
+        });
+    }
+    assert!((0..20).all(|k| Legs::draw(&mut Random::new(k), [0.0, 0.0]).solve().is_err()));
 }

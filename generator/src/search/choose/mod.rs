@@ -33,8 +33,8 @@
 //!    within [`SIMILAR_COST`], second attempts included, for *size* as many rows, for *stability*
 //!    any.
 //!
-//! If the problem has a scene that says what solves it, every second instance is one, and it lacks
-//! a solution if that one is not among the real ones that are returned.
+//! If the problem has a scene that says what solves it, a scene is solved with every instance,
+//! which lacks a solution, too, if that of the scene is not among the real ones that are returned.
 //!
 //! Large templates are measured on fewer instances: as many as [`SCREENING_WORK`] and
 //! [`CONFIRMING_WORK`] allow, but at least [`INCOMPLETE_ONE_IN`] for a confirmation, unless that

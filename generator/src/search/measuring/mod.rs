@@ -17,7 +17,6 @@ use crate::algebra::Random;
 use crate::expression::arithmetic::Float64;
 use crate::plan::Plan;
 use crate::problem::draw::draw_inputs;
-use crate::problem::scene::DrawnScene;
 use crate::search::monitor::is_set;
 use interpreted::InterpretedSolver;
 use results::has_known;
@@ -30,15 +29,14 @@ pub struct Stability {
     pub residuals_log10: Vec<f64>,
     /// Number of instances.
     pub trials: usize,
-    /// Number of different complex solutions found, over all random instances, and of solutions of
-    /// scenes.
+    /// Number of different complex solutions found, over all instances.
     pub found: usize,
-    /// Number of solutions there are: those that the problem has for each random instance, and the
-    /// one of each scene that is known.
+    /// Number of solutions there are.
     pub expected: usize,
-    /// Number of instances with fewer solutions.
+    /// Number of instances with fewer solutions, or with a scene of which the known solution was
+    /// not found.
     pub incomplete: usize,
-    /// Number of instances that are scenes whose solution is known.
+    /// Number of scenes whose solution is known: one beside every instance, or none.
     pub scenes: usize,
     /// Number of those whose known solution was not found.
     pub scenes_missed: usize,
@@ -70,21 +68,20 @@ impl Stability {
         self.residuals_log10.sort_by(f64::total_cmp);
     }
 
-    fn add(&mut self, Solved { residuals, found, expected, is_repeated, is_scene }: Solved) {
+    fn add(&mut self, Solved { residuals, expected, is_repeated, is_known_found }: Solved) {
         self.trials += 1;
-        self.scenes += usize::from(is_scene);
-        self.scenes_missed += usize::from(is_scene && found < expected);
         self.repeated += usize::from(is_repeated);
         self.expected += expected;
-        match residuals {
-            None => self.failures += 1,
-            Some(residuals) => {
-                self.found += found;
-                self.incomplete += usize::from(found < expected);
-                self.residuals_log10
-                    .extend(residuals.iter().map(|residual| (1000.0 * residual.max(1e-17).log10()).round() / 1000.0));
-            }
-        }
+        self.scenes += usize::from(is_known_found.is_some());
+        self.scenes_missed += usize::from(is_known_found == Some(false));
+        let Some(residuals) = residuals else {
+            self.failures += 1;
+            return;
+        };
+        self.found += residuals.len();
+        self.incomplete += usize::from(residuals.len() < expected || is_known_found == Some(false));
+        self.residuals_log10
+            .extend(residuals.iter().map(|residual| (1000.0 * residual.max(1e-17).log10()).round() / 1000.0));
     }
 }
 
@@ -94,9 +91,8 @@ pub fn stability(plan: &Plan, trials: usize, seed: u64) -> Stability {
 }
 
 /// Solves instances drawn on the data's variety; instance k depends on (seed, k) only. If the
-/// problem has a scene that says what solves it, every second instance is one. Where the flag is
-/// set no further instance is begun, and only those before the first that was not begun are
-/// counted.
+/// problem has a scene that says what solves it, a scene is solved with each. Where the flag is set
+/// no further instance is begun, and only those before the first that was not begun are counted.
 pub fn measure(plan: &Plan, instances: Range<usize>, seed: u64, interruption: Option<&AtomicBool>) -> Stability {
     use rayon::prelude::*;
     let solver = InterpretedSolver::of(plan);
@@ -118,48 +114,32 @@ pub fn seed_of(seed: u64, k: usize) -> u64 {
     seed.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(k as u64)
 }
 
-/// What the solver does on one instance.
+/// What the solver does on one instance, and on the scene beside it.
 struct Solved {
     /// The relative residuals of the solutions; `None` if the solver returned an error.
     residuals: Option<Vec<f64>>,
-    /// The number of solutions that were found, and of those that there are.
-    found: usize,
+    /// The number of solutions there are.
     expected: usize,
     /// Whether there was a second attempt.
     is_repeated: bool,
-    is_scene: bool,
+    /// Whether the known solution of the scene was found, if there is one.
+    is_known_found: Option<bool>,
 }
 
 impl Solved {
-    /// Of instance k: every second one is a scene, if there is one that says what solves it.
     fn of_instance(plan: &Plan, solver: &InterpretedSolver, (seed, k): (u64, usize)) -> Self {
-        let scene = plan.scene.as_ref().filter(|scene| k % 2 == 1 && scene.has_truth());
-        match scene.and_then(|scene| scene.draw(&mut Random::new(seed_of(seed, k)))) {
-            Some(scene) => Self::of_scene(plan, solver, &scene),
-            None => Self::of_random(plan, solver, &random_instance(plan, seed, k)),
-        }
-    }
-
-    /// All complex solutions are expected.
-    fn of_random(plan: &Plan, solver: &InterpretedSolver, inputs: &[f64]) -> Self {
-        let none = Self { residuals: None, found: 0, expected: plan.solutions, is_repeated: false, is_scene: false };
-        let Ok(mut instance) = solver.instance(inputs) else { return none };
+        let is_known_found = Self::is_known_found(plan, solver, seed_of(seed, k));
+        let none = Self { residuals: None, expected: plan.solutions, is_repeated: false, is_known_found };
+        let Ok(mut instance) = solver.instance(&random_instance(plan, seed, k)) else { return none };
         let found = instance.solve_complex();
-        let residuals: Option<Vec<f64>> =
-            found.map(|found| found.iter().map(|point| instance.residual(point)).collect()).ok();
-        let found = residuals.as_ref().map_or(0, Vec::len);
-        Self { residuals, found, is_repeated: instance.attempts() > 1, ..none }
+        let residuals = found.map(|found| found.iter().map(|point| instance.residual(point)).collect()).ok();
+        Self { residuals, is_repeated: instance.attempts() > 1, ..none }
     }
 
-    /// The known solution is expected among the real ones. How many others there are is not known:
-    /// special data may have fewer.
-    fn of_scene(plan: &Plan, solver: &InterpretedSolver, scene: &DrawnScene) -> Self {
-        let none = Self { residuals: Some(Vec::new()), found: 0, expected: 1, is_repeated: false, is_scene: true };
-        let Ok(mut instance) = solver.instance(&scene.data) else { return none };
-        let points = instance.solve().unwrap_or_default();
-        let residuals = Some(points.iter().map(|point| instance.residual(point)).collect());
-        let found = usize::from(has_known(plan, &points, scene));
-        Self { residuals, found, is_repeated: instance.attempts() > 1, ..none }
+    /// Whether the solution that a scene says is among the real ones that are returned.
+    fn is_known_found(plan: &Plan, solver: &InterpretedSolver, seed: u64) -> Option<bool> {
+        let scene = plan.scene.as_ref().filter(|scene| scene.has_truth())?.draw(&mut Random::new(seed))?;
+        Some(solver.solve(&scene.data).is_ok_and(|points| has_known(plan, &points, &scene)))
     }
 }
 
