@@ -28,7 +28,11 @@ fn known_pose(random: &mut Random) -> KnownInstance {
         let [x, origin] = [platform[k] - platform[0], base[k] - base[0]];
         x.iter().copied().chain(origin.iter().map(|x| -x)).collect::<Vec<f64>>()
     };
-    let null = derived_null_space(&(1..6).map(row).collect::<Vec<_>>());
+    let mut rows: Vec<_> = (1..6).map(row).collect();
+    // The unit of the solver: the sign of a null vector is not that of rows of another length.
+    let unit = rows.iter().flatten().map(|x| x * x).sum::<f64>().sqrt();
+    rows.iter_mut().flatten().for_each(|x| *x /= unit);
+    let null = derived_null_space(&rows);
     let [of_platform, of_base] = [0, 3].map(|at| Vector3::from_column_slice(&null[at..at + 3]));
     let turned = frame(&of_base) * rotation * frame(&of_platform).transpose();
     // The base moves before the platform if its part of the null vector is the longer one.
@@ -41,6 +45,6 @@ fn known_pose(random: &mut Random) -> KnownInstance {
 /// is farthest from.
 fn frame(v: &Vector3<f64>) -> Matrix3<f64> {
     let third = v.normalize();
-    let first = -third.cross(&Vector3::ith(third.iamin(), 1.0)).normalize();
+    let first = third.cross(&Vector3::ith(third.iamin(), 1.0)).normalize();
     Matrix3::from_rows(&[first.transpose(), third.cross(&first).transpose(), third.transpose()])
 }
