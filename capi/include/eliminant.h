@@ -685,50 +685,65 @@ uint64_t eliminant_orbit_5_lines_of_sight_second_attempt_operations(void);
  * Husty, "An algorithm for solving the direct kinematics of general Stewart-Gough-type platforms",
  * Mechanism and Machine Theory 31, 1996. Published as `parallel_robot_66`.
  *
- * The first leg joins the origins of base and platform. Let t be that leg in the base's
+ * Leg k joins `base[k]`, in the frame of the base, and `platform[k]`, in that of the platform, and
+ * has the length `lengths[k]`. Base or platform may be flat, but not both. Returned is the pose
+ * x -> rotation x + translation that takes the platform to the frame of the base.
+ *
+ * Joints are taken relative to those of the first leg. Let t be that leg in the base's
  * coordinates, s = R^T t in the platform's. The length of the leg from X to x, less that of the
  * first, gives x s - X t as a linear combination of the entries of R and 1: five equations for s
- * and t, solved after base and platform are turned so that only the third coordinates remain
- * together. R is that of the quaternion q = 1 + a i + b j + c k, so n s and n t, with n = |q|^2,
- * are quadratic polynomials, with coefficients of 1, a, b, c, a a, a b, a c, b b, b c, c c: `sums`
- * has those of s_i + t_i, `differences` those of s_i - t_i, for i = 1, 2, and s_3 + t_3 = (2 +
- * `excess`) (s_3 - t_3) + `shift`. `excess` exceeds -1 if the null vector of the five equations is
- * longer in s than in t, as where the base is larger; else base and platform are exchanged.
- * `square` is the square of the length of the first leg.
+ * and t. The null vector of these has a part p of s and a part q of t, and the longer one is p,
+ * else base and platform are exchanged. Both are turned so that p and q are along their third
+ * axes. R is that of the quaternion 1 + a i + b j + c k, so n s and n t, with n = 1 + a a + b b +
+ * c c, are quadratic polynomials: `sums` has the coefficients of n (s_i + t_i), `differences`
+ * those of n (s_i - t_i), for i = 1, 2, and s_3 + t_3 = `ratio` (s_3 - t_3) + `shift`.
  *
  * That t q = q s gives n (s_3 - t_3) times 1, a, b and c as cubic polynomials, and that |s| = |t|
  * its square: with these |t|^2 = `square` and its product with n (s_3 - t_3) have degrees of four
  * and six.
  *
- * Data: sums[2][10], differences[2][10], shift[10], excess, square.
+ * Data: base[6][3], platform[6][3], lengths[6].
  * A row of 3 numbers, the unknowns: a, b, c.
+ * A row of 12 numbers, the result pose: rotation[3][3], translation[3].
  */
-#define ELIMINANT_PLATFORM_FORWARD_KINEMATICS_SUMS_LENGTH 20
-#define ELIMINANT_PLATFORM_FORWARD_KINEMATICS_DIFFERENCES_LENGTH 20
-#define ELIMINANT_PLATFORM_FORWARD_KINEMATICS_SHIFT_LENGTH 10
+#define ELIMINANT_PLATFORM_FORWARD_KINEMATICS_BASE_LENGTH 18
+#define ELIMINANT_PLATFORM_FORWARD_KINEMATICS_PLATFORM_LENGTH 18
+#define ELIMINANT_PLATFORM_FORWARD_KINEMATICS_LENGTHS_LENGTH 6
 #define ELIMINANT_PLATFORM_FORWARD_KINEMATICS_UNKNOWNS 3
+#define ELIMINANT_PLATFORM_FORWARD_KINEMATICS_LENGTH_OF_POSE 12
 #define ELIMINANT_PLATFORM_FORWARD_KINEMATICS_MAX_SOLUTIONS 40
 int32_t eliminant_platform_forward_kinematics_solve(
-    const double *sums, size_t sums_length, const double *differences, size_t differences_length,
-    const double *shift, size_t shift_length, double excess, double square, double *solutions,
-    size_t capacity, size_t *count);
+    const double *base, size_t base_length, const double *platform, size_t platform_length,
+    const double *lengths, size_t lengths_length, double *solutions, size_t capacity,
+    size_t *count);
 int32_t eliminant_platform_forward_kinematics_solve_with(
-    uint64_t second_attempts, const double *sums, size_t sums_length, const double *differences,
-    size_t differences_length, const double *shift, size_t shift_length, double excess,
-    double square, double *solutions, size_t capacity, size_t *count);
+    uint64_t second_attempts, const double *base, size_t base_length, const double *platform,
+    size_t platform_length, const double *lengths, size_t lengths_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_platform_forward_kinematics_solve_batch(
-    size_t instances, const double *sums, size_t sums_length, const double *differences,
-    size_t differences_length, const double *shift, size_t shift_length, const double *excess,
-    size_t excess_length, const double *square, size_t square_length, double *solutions,
+    size_t instances, const double *base, size_t base_length, const double *platform,
+    size_t platform_length, const double *lengths, size_t lengths_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_platform_forward_kinematics_solve_for_pose(
+    const double *base, size_t base_length, const double *platform, size_t platform_length,
+    const double *lengths, size_t lengths_length, double *solutions, size_t capacity,
+    size_t *count);
+int32_t eliminant_platform_forward_kinematics_solve_with_for_pose(
+    uint64_t second_attempts, const double *base, size_t base_length, const double *platform,
+    size_t platform_length, const double *lengths, size_t lengths_length, double *solutions,
+    size_t capacity, size_t *count);
+int32_t eliminant_platform_forward_kinematics_solve_batch_for_pose(
+    size_t instances, const double *base, size_t base_length, const double *platform,
+    size_t platform_length, const double *lengths, size_t lengths_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
 int32_t eliminant_platform_forward_kinematics_relative_residual(
-    const double *sums, size_t sums_length, const double *differences, size_t differences_length,
-    const double *shift, size_t shift_length, double excess, double square, const double *solution,
-    size_t solution_length, double *relative_residual);
+    const double *base, size_t base_length, const double *platform, size_t platform_length,
+    const double *lengths, size_t lengths_length, const double *solution, size_t solution_length,
+    double *relative_residual);
 int32_t eliminant_platform_forward_kinematics_error_bound(
-    const double *sums, size_t sums_length, const double *differences, size_t differences_length,
-    const double *shift, size_t shift_length, double excess, double square, const double *solution,
-    size_t solution_length, double *error_bound);
+    const double *base, size_t base_length, const double *platform, size_t platform_length,
+    const double *lengths, size_t lengths_length, const double *solution, size_t solution_length,
+    double *error_bound);
 uint64_t eliminant_platform_forward_kinematics_second_attempt_operations(void);
 
 /*

@@ -1731,16 +1731,18 @@ inline void solve_batch_for_orbit(
 /// Husty, "An algorithm for solving the direct kinematics of general Stewart-Gough-type platforms",
 /// Mechanism and Machine Theory 31, 1996. Published as `parallel_robot_66`.
 ///
-/// The first leg joins the origins of base and platform. Let t be that leg in the base's
+/// Leg k joins `base[k]`, in the frame of the base, and `platform[k]`, in that of the platform, and
+/// has the length `lengths[k]`. Base or platform may be flat, but not both. Returned is the pose
+/// x -> rotation x + translation that takes the platform to the frame of the base.
+///
+/// Joints are taken relative to those of the first leg. Let t be that leg in the base's
 /// coordinates, s = R^T t in the platform's. The length of the leg from X to x, less that of the
 /// first, gives x s - X t as a linear combination of the entries of R and 1: five equations for s
-/// and t, solved after base and platform are turned so that only the third coordinates remain
-/// together. R is that of the quaternion q = 1 + a i + b j + c k, so n s and n t, with n = |q|^2,
-/// are quadratic polynomials, with coefficients of 1, a, b, c, a a, a b, a c, b b, b c, c c: `sums`
-/// has those of s_i + t_i, `differences` those of s_i - t_i, for i = 1, 2, and s_3 + t_3 = (2 +
-/// `excess`) (s_3 - t_3) + `shift`. `excess` exceeds -1 if the null vector of the five equations is
-/// longer in s than in t, as where the base is larger; else base and platform are exchanged.
-/// `square` is the square of the length of the first leg.
+/// and t. The null vector of these has a part p of s and a part q of t, and the longer one is p,
+/// else base and platform are exchanged. Both are turned so that p and q are along their third
+/// axes. R is that of the quaternion 1 + a i + b j + c k, so n s and n t, with n = 1 + a a + b b +
+/// c c, are quadratic polynomials: `sums` has the coefficients of n (s_i + t_i), `differences`
+/// those of n (s_i - t_i), for i = 1, 2, and s_3 + t_3 = `ratio` (s_3 - t_3) + `shift`.
 ///
 /// That t q = q s gives n (s_3 - t_3) times 1, a, b and c as cubic polynomials, and that |s| = |t|
 /// its square: with these |t|^2 = `square` and its product with n (s_3 - t_3) have degrees of four
@@ -1759,56 +1761,98 @@ struct Solution {
 static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<20> sums, Values<20> differences, Values<10> shift, double excess, double square) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<18> base, Values<18> platform, Values<6> lengths) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_platform_forward_kinematics_solve(sums.data(), sums.size(), differences.data(), differences.size(), shift.data(), shift.size(), excess, square, to_solutions, max_solutions, to_count);
+        return eliminant_platform_forward_kinematics_solve(base.data(), base.size(), platform.data(), platform.size(), lengths.data(), lengths.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<20> sums, Values<20> differences, Values<10> shift, double excess, double square) {
-    return try_solve(sums, differences, shift, excess, square).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<18> base, Values<18> platform, Values<6> lengths) {
+    return try_solve(base, platform, lengths).value();
 }
 
 /// As `try_solve`, with a bound on second attempts.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<20> sums, Values<20> differences, Values<10> shift, double excess, double square) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<18> base, Values<18> platform, Values<6> lengths) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
         return eliminant_platform_forward_kinematics_solve_with(
-            second_attempts.operations(), sums.data(), sums.size(), differences.data(), differences.size(), shift.data(), shift.size(), excess, square, to_solutions, max_solutions, to_count);
+            second_attempts.operations(), base.data(), base.size(), platform.data(), platform.size(), lengths.data(), lengths.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// As `solve`, with a bound on second attempts. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<20> sums, Values<20> differences, Values<10> shift, double excess, double square) {
-    return try_solve_with(second_attempts, sums, differences, shift, excess, square).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<18> base, Values<18> platform, Values<6> lengths) {
+    return try_solve_with(second_attempts, base, platform, lengths).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
-    std::size_t instances, Many sums, Many differences, Many shift, Many excess, Many square, Batch<Solution, max_solutions> &batch) {
+    std::size_t instances, Many base, Many platform, Many lengths, Batch<Solution, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_platform_forward_kinematics_solve_batch(
-            instances, sums.data(), sums.size(), differences.data(), differences.size(), shift.data(), shift.size(), excess.data(), excess.size(), square.data(), square.size(), to_solutions, solutions_length, counts, codes);
+            instances, base.data(), base.size(), platform.data(), platform.size(), lengths.data(), lengths.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `platform_forward_kinematics` returns beside its unknowns.
+struct Pose {
+    std::array<std::array<double, 3>, 3> rotation;
+    std::array<double, 3> translation;
+};
+static_assert(sizeof(Pose) == 12 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_for_pose(Values<18> base, Values<18> platform, Values<6> lengths) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_platform_forward_kinematics_solve_for_pose(base.data(), base.size(), platform.data(), platform.size(), lengths.data(), lengths.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each pose. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_for_pose(Values<18> base, Values<18> platform, Values<6> lengths) {
+    return try_solve_for_pose(base, platform, lengths).value();
+}
+
+/// As `try_solve_for_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_with_for_pose(SecondAttempts second_attempts, Values<18> base, Values<18> platform, Values<6> lengths) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_platform_forward_kinematics_solve_with_for_pose(
+            second_attempts.operations(), base.data(), base.size(), platform.data(), platform.size(), lengths.data(), lengths.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_with_for_pose(SecondAttempts second_attempts, Values<18> base, Values<18> platform, Values<6> lengths) {
+    return try_solve_with_for_pose(second_attempts, base, platform, lengths).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_pose(
+    std::size_t instances, Many base, Many platform, Many lengths, Batch<Pose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_platform_forward_kinematics_solve_batch_for_pose(
+            instances, base.data(), base.size(), platform.data(), platform.size(), lengths.data(), lengths.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 
 /// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
 /// solution. Throws `Error`.
-[[nodiscard]] inline double relative_residual(Values<20> sums, Values<20> differences, Values<10> shift, double excess, double square, const Solution &solution) {
+[[nodiscard]] inline double relative_residual(Values<18> base, Values<18> platform, Values<6> lengths, const Solution &solution) {
     double number = 0.0;
     const std::int32_t code = eliminant_platform_forward_kinematics_relative_residual(
-        sums.data(), sums.size(), differences.data(), differences.size(), shift.data(), shift.size(), excess, square, reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+        base.data(), base.size(), platform.data(), platform.size(), lengths.data(), lengths.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
     if (code != ELIMINANT_OK) throw Error(code);
     return number;
 }
 
 /// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
 /// known to be near. Throws `Error`.
-[[nodiscard]] inline double error_bound(Values<20> sums, Values<20> differences, Values<10> shift, double excess, double square, const Solution &solution) {
+[[nodiscard]] inline double error_bound(Values<18> base, Values<18> platform, Values<6> lengths, const Solution &solution) {
     double number = 0.0;
     const std::int32_t code = eliminant_platform_forward_kinematics_error_bound(
-        sums.data(), sums.size(), differences.data(), differences.size(), shift.data(), shift.size(), excess, square, reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+        base.data(), base.size(), platform.data(), platform.size(), lengths.data(), lengths.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
     if (code != ELIMINANT_OK) throw Error(code);
     return number;
 }
