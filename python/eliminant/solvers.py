@@ -526,11 +526,9 @@ def orbit_5_lines_of_sight(sights: npt.ArrayLike, *, progress: Progress = None) 
 
 
 def platform_forward_kinematics(
-    sums: npt.ArrayLike,
-    differences: npt.ArrayLike,
-    shift: npt.ArrayLike,
-    excess: npt.ArrayLike,
-    square: npt.ArrayLike,
+    base: npt.ArrayLike,
+    platform: npt.ArrayLike,
+    lengths: npt.ArrayLike,
     *,
     progress: Progress = None,
 ) -> Solutions:
@@ -540,16 +538,18 @@ def platform_forward_kinematics(
     Husty, "An algorithm for solving the direct kinematics of general Stewart-Gough-type platforms",
     Mechanism and Machine Theory 31, 1996. Published as `parallel_robot_66`.
 
-    The first leg joins the origins of base and platform. Let t be that leg in the base's
+    Leg k joins `base[k]`, in the frame of the base, and `platform[k]`, in that of the platform, and
+    has the length `lengths[k]`. Base or platform may be flat, but not both. Returned is the pose
+    x -> rotation x + translation that takes the platform to the frame of the base.
+
+    Joints are taken relative to those of the first leg. Let t be that leg in the base's
     coordinates, s = R^T t in the platform's. The length of the leg from X to x, less that of the
     first, gives x s - X t as a linear combination of the entries of R and 1: five equations for s
-    and t, solved after base and platform are turned so that only the third coordinates remain
-    together. R is that of the quaternion q = 1 + a i + b j + c k, so n s and n t, with n = |q|^2,
-    are quadratic polynomials, with coefficients of 1, a, b, c, a a, a b, a c, b b, b c, c c: `sums`
-    has those of s_i + t_i, `differences` those of s_i - t_i, for i = 1, 2, and s_3 + t_3 = (2 +
-    `excess`) (s_3 - t_3) + `shift`. `excess` exceeds -1 if the null vector of the five equations is
-    longer in s than in t, as where the base is larger; else base and platform are exchanged.
-    `square` is the square of the length of the first leg.
+    and t. The null vector of these has a part p of s and a part q of t, and the longer one is p,
+    else base and platform are exchanged. Both are turned so that p and q are along their third
+    axes. R is that of the quaternion 1 + a i + b j + c k, so n s and n t, with n = 1 + a a + b b +
+    c c, are quadratic polynomials: `sums` has the coefficients of n (s_i + t_i), `differences`
+    those of n (s_i - t_i), for i = 1, 2, and s_3 + t_3 = `ratio` (s_3 - t_3) + `shift`.
 
     That t q = q s gives n (s_3 - t_3) times 1, a, b and c as cubic polynomials, and that |s| = |t|
     its square: with these |t|^2 = `square` and its product with n (s_3 - t_3) have degrees of four
@@ -557,19 +557,22 @@ def platform_forward_kinematics(
 
     Data, for one instance, or with n in front for a batch:
 
-    - `sums`: (2, 10)
-    - `differences`: (2, 10)
-    - `shift`: (10,)
-    - `excess`: ()
-    - `square`: ()
+    - `base`: (6, 3)
+    - `platform`: (6, 3)
+    - `lengths`: (6,)
 
     Solutions, of which there are at most 40:
 
     - `a`: ()
     - `b`: ()
     - `c`: ()
+
+    Results of each solution:
+
+    - `rotation`: (3, 3)
+    - `translation`: (3,)
     """
-    return _solve("platform_forward_kinematics", sums, differences, shift, excess, square, progress=progress)
+    return _solve("platform_forward_kinematics", base, platform, lengths, progress=progress)
 
 
 def pose_1pt_2line(

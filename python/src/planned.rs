@@ -106,17 +106,19 @@ impl Planned {
         source.map_err(|error| ProblemError::new_err(format!("error: {error}")))
     }
 
-    /// Solves random instances from `first` on, and judges what is found. Between whiles `progress`
-    /// is called with the number of those that are done, and of all.
-    #[pyo3(signature = (first, trials, seed, progress = None))]
+    /// Solves instances from `first` on, `drawn` by a seed, as scenes if the flag says so, and judges
+    /// what is found. Between whiles `progress` is called with the number of those that are done, and
+    /// of all.
+    #[pyo3(signature = (first, trials, drawn, progress = None))]
     fn stability<'py>(
         &self,
         py: Python<'py>,
         first: usize,
         trials: usize,
-        (seed, is_scene): (u64, bool),
+        drawn: (u64, bool),
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Figures<'py>> {
+        let (seed, is_scene) = drawn;
         let scene = self.plan.scene.as_ref().filter(|_| is_scene);
         let instances = RandomInstances { numbers: first..first.saturating_add(trials), seed, scene };
         figures(py, &self.plan, &self.solver, &instances, &Tally::new(progress, trials))
