@@ -356,43 +356,48 @@ fn scaled_data_are_solved_completely() {
     assert!(faults.is_empty(), "{faults:#?}");
 }
 
-fn run(cases: u32, seed: u64, values: BoxedStrategy<f64>) {
-    for subject in subjects().into_iter().filter(|subject| subject.inputs() > 0) {
+fn run(cases: u32, seed: u64, values: fn() -> BoxedStrategy<f64>) {
+    subjects().into_par_iter().filter(|subject| subject.inputs() > 0).for_each(|subject| {
         let cases = subject.affordable(cases as usize) as u32;
         let config = Config { cases, rng_seed: RngSeed::Fixed(seed), failure_persistence: None, ..Config::default() };
-        let data = proptest::collection::vec(values.clone(), subject.inputs());
+        let data = proptest::collection::vec(values(), subject.inputs());
         let result =
             TestRunner::new(config).run(&data, |data| subject.check(&data).map(|_| ()).map_err(TestCaseError::fail));
         result.unwrap_or_else(|fault| panic!("{}: {fault}", subject.case.name));
-    }
+    });
 }
 
 #[test]
 fn arbitrary_bits() {
-    run(5_000, 1, any::<u64>().prop_map(f64::from_bits).boxed());
+    run(5_000, 1, || any::<u64>().prop_map(f64::from_bits).boxed());
 }
 
 /// Finite, of a size whose cubes are finite, too: the elimination is reached.
 #[test]
 fn arbitrary_finite_values() {
-    let value = (any::<u64>(), -90i32..90).prop_map(|(bits, exponent)| {
-        let mantissa = f64::from_bits((bits & 0x800f_ffff_ffff_ffff) | 0x3ff0_0000_0000_0000);
-        mantissa * 2f64.powi(exponent)
+    run(5_000, 2, || {
+        let value = (any::<u64>(), -90i32..90).prop_map(|(bits, exponent)| {
+            let mantissa = f64::from_bits((bits & 0x800f_ffff_ffff_ffff) | 0x3ff0_0000_0000_0000);
+            mantissa * 2f64.powi(exponent)
+        });
+        value.boxed()
     });
-    run(5_000, 2, value.boxed());
 }
 
 /// Many zeros, ties, and values of wildly different size.
 #[test]
 fn mixtures_of_special_values() {
-    let special = prop_oneof![
-        6 => Just(0.0),
-        4 => Just(1.0),
-        2 => Just(-1.0),
-        2 => (-3i32..4).prop_map(f64::from),
-        4 => -1.0..1.0,
-        1 => prop::sample::select(vec![1e150, 1e-150, -1e150, 5e-324, f64::MIN_POSITIVE, f64::MAX, 1e-8, 1e8, -0.0]),
-    ];
     // Most of these data are degenerate, and each such solve follows solutions from data nearby.
-    run(4_000, 3, special.boxed());
+    run(4_000, 3, || {
+        let tiny_and_huge = vec![1e150, 1e-150, -1e150, 5e-324, f64::MIN_POSITIVE, f64::MAX, 1e-8, 1e8, -0.0];
+        let special = prop_oneof![
+            6 => Just(0.0),
+            4 => Just(1.0),
+            2 => Just(-1.0),
+            2 => (-3i32..4).prop_map(f64::from),
+            4 => -1.0..1.0,
+            1 => prop::sample::select(tiny_and_huge),
+        ];
+        special.boxed()
+    });
 }
