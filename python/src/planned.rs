@@ -106,9 +106,9 @@ impl Planned {
         source.map_err(|error| ProblemError::new_err(format!("error: {error}")))
     }
 
-    /// Solves instances from `first` on, `drawn` by a seed, as scenes if the flag says so, and judges
-    /// what is found. Between whiles `progress` is called with the number of those that are done, and
-    /// of all.
+    /// Solves instances from `first` on, `drawn` by a seed, as scenes if the flag says so, and
+    /// judges what is found. Between whiles `progress` is called with the number of those that are
+    /// done, and of all.
     #[pyo3(signature = (first, trials, drawn, progress = None))]
     fn stability<'py>(
         &self,
