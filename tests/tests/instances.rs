@@ -71,6 +71,12 @@ const ON_RANDOM_DATA: Demands = Demands {
                              derived in f64, computed with cancellation",
                 },
                 Exception {
+                    problem: "platform_forward_kinematics",
+                    bound: 1e-12,
+                    reason: "1.6e-13 measured: its coefficients are derived from joints in f64, and grow where base \
+                             and platform, which are alike at random, have null vectors of equal length",
+                },
+                Exception {
                     problem: "pose_2pt_1line",
                     bound: 1e-12,
                     reason: "1.1e-13 measured: vectors across the line are derived from measurements in f64",
@@ -107,6 +113,7 @@ const ON_RANDOM_DATA: Demands = Demands {
             Exception { problem: "fundamental_8pt_radial", bound: 1e-9, reason: "1.7e-10 measured" },
             Exception { problem: "fundamental_8pt_radial_one_side", bound: 1e-10, reason: "1.2e-11 measured" },
             Exception { problem: "fundamental_9pt_two_radials", bound: 1e-10, reason: "1.7e-11 measured" },
+            Exception { problem: "platform_forward_kinematics", bound: 1e-10, reason: "3.9e-11 measured" },
             Exception { problem: "pose_5tdoa_two_receivers", bound: 1e-10, reason: "2.7e-11 measured" },
             Exception { problem: "relpose_7pt_focal_radial_one_side", bound: 1e-10, reason: "3.1e-11 measured" },
             Exception { problem: "stitching_3pt_radial_focal", bound: 1e-10, reason: "6.4e-11 measured" },
