@@ -31,7 +31,7 @@ pub struct Stability {
     pub trials: usize,
     /// Number of different complex solutions found, over all instances.
     pub found: usize,
-    /// Number of solutions there are.
+    /// Number of solutions there are: trials times the number of solutions of the problem.
     pub expected: usize,
     /// Number of instances with fewer solutions, or with a scene of which the known solution was
     /// not found.
@@ -68,7 +68,7 @@ impl Stability {
         self.residuals_log10.sort_by(f64::total_cmp);
     }
 
-    fn add(&mut self, Solved { residuals, expected, is_repeated, is_known_found }: Solved) {
+    fn add(&mut self, expected: usize, Solved { residuals, is_repeated, is_known_found }: Solved) {
         self.trials += 1;
         self.repeated += usize::from(is_repeated);
         self.expected += expected;
@@ -99,7 +99,7 @@ pub fn measure(plan: &Plan, instances: Range<usize>, seed: u64, interruption: Op
     let solve = |k: usize| (!is_set(interruption)).then(|| Solved::of_instance(plan, &solver, (seed, k)));
     let results: Vec<Option<Solved>> = in_pool(|| instances.into_par_iter().map(solve).collect());
     let mut stability = Stability::default();
-    results.into_iter().map_while(|solved| solved).for_each(|solved| stability.add(solved));
+    results.into_iter().map_while(|solved| solved).for_each(|solved| stability.add(plan.solutions, solved));
     stability.residuals_log10.sort_by(f64::total_cmp);
     stability
 }
@@ -116,10 +116,8 @@ pub fn seed_of(seed: u64, k: usize) -> u64 {
 
 /// What the solver does on one instance, and on the scene beside it.
 struct Solved {
-    /// The relative residuals of the solutions; `None` if the solver returned an error.
+    /// The relative residuals of all complex solutions; `None` if the solver returned an error.
     residuals: Option<Vec<f64>>,
-    /// The number of solutions there are.
-    expected: usize,
     /// Whether there was a second attempt.
     is_repeated: bool,
     /// Whether the known solution of the scene was found, if there is one.
@@ -129,7 +127,7 @@ struct Solved {
 impl Solved {
     fn of_instance(plan: &Plan, solver: &InterpretedSolver, (seed, k): (u64, usize)) -> Self {
         let is_known_found = Self::is_known_found(plan, solver, seed_of(seed, k));
-        let none = Self { residuals: None, expected: plan.solutions, is_repeated: false, is_known_found };
+        let none = Self { residuals: None, is_repeated: false, is_known_found };
         let Ok(mut instance) = solver.instance(&random_instance(plan, seed, k)) else { return none };
         let found = instance.solve_complex();
         let residuals = found.map(|found| found.iter().map(|point| instance.residual(point)).collect()).ok();
