@@ -129,6 +129,8 @@ struct Row {
     p99: Option<f64>,
     /// Number of instances that took a second attempt.
     repeated: usize,
+    /// Number of scenes that took one; `null` if the problem has no scene that says what solves it.
+    scenes_repeated: Option<usize>,
     incomplete: usize,
     failures: usize,
     /// `accepted`, `screened` (neither accepted nor rejected) or `rejected`.
@@ -216,6 +218,7 @@ impl Row {
             median: stability.quantile(0.5),
             p99: stability.quantile(0.99),
             repeated: stability.repeated,
+            scenes_repeated: (stability.scenes > 0).then_some(stability.scenes_repeated),
             incomplete: stability.incomplete,
             failures: stability.failures,
             verdict: measured.verdict.name(),
@@ -255,6 +258,7 @@ impl Row {
             one_decimal(self.p99),
             self.trials.to_string(),
             self.repeated.to_string(),
+            self.scenes_repeated.map_or_else(|| "-".to_owned(), |count| count.to_string()),
             self.incomplete.to_string(),
             self.failures.to_string(),
         ]
@@ -263,8 +267,21 @@ impl Row {
 
 const HEAD_OF_FRONT: [&str; 10] = ["", "size", "action", "verdict", "|B|", "ns", "median", "p99", "trials", "unsolved"];
 
-const HEAD: [&str; 12] =
-    ["", "size", "action", "way", "verdict", "|B|", "ns", "p99", "trials", "repeated", "incomplete", "failed"];
+const HEAD: [&str; 13] = [
+    "",
+    "size",
+    "action",
+    "way",
+    "verdict",
+    "|B|",
+    "ns",
+    "p99",
+    "trials",
+    "repeated",
+    "on scenes",
+    "incomplete",
+    "failed",
+];
 
 impl fmt::Display for SearchReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

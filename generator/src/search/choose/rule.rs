@@ -79,9 +79,14 @@ impl Verdict {
     }
 }
 
-/// The average predicted nanoseconds of a solve, second attempts included.
+/// The average predicted nanoseconds of a solve, second attempts included: as many as scenes need,
+/// where they are known, since they are like the data of users.
 pub fn expected_nanoseconds(cost: &Cost, stability: &Stability) -> f64 {
-    let repeated = stability.repeated as f64 / stability.trials.max(1) as f64;
+    let (repeated, of) = match stability.scenes {
+        0 => (stability.repeated, stability.trials),
+        scenes => (stability.scenes_repeated, scenes),
+    };
+    let repeated = repeated as f64 / of.max(1) as f64;
     cost.nanoseconds as f64 + cost.second_attempt as f64 * repeated
 }
 

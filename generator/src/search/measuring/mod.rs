@@ -40,6 +40,8 @@ pub struct Stability {
     pub scenes: usize,
     /// Number of those whose known solution was not found.
     pub scenes_missed: usize,
+    /// Number of those on which there was a second attempt.
+    pub scenes_repeated: usize,
     /// Number of instances on which the solver returned an error.
     pub failures: usize,
     /// Instances on which the first attempt failed or lacked a solution. What the second one found
@@ -62,24 +64,27 @@ impl Stability {
         self.incomplete += other.incomplete;
         self.scenes += other.scenes;
         self.scenes_missed += other.scenes_missed;
+        self.scenes_repeated += other.scenes_repeated;
         self.failures += other.failures;
         self.repeated += other.repeated;
         self.residuals_log10.extend(other.residuals_log10);
         self.residuals_log10.sort_by(f64::total_cmp);
     }
 
-    fn add(&mut self, expected: usize, Solved { residuals, is_repeated, is_known_found }: Solved) {
+    fn add(&mut self, expected: usize, Solved { residuals, is_repeated, scene }: Solved) {
         self.trials += 1;
         self.repeated += usize::from(is_repeated);
         self.expected += expected;
-        self.scenes += usize::from(is_known_found.is_some());
-        self.scenes_missed += usize::from(is_known_found == Some(false));
+        let is_missed = scene.as_ref().is_some_and(|scene| !scene.is_known_found);
+        self.scenes += usize::from(scene.is_some());
+        self.scenes_missed += usize::from(is_missed);
+        self.scenes_repeated += usize::from(scene.is_some_and(|scene| scene.is_repeated));
         let Some(residuals) = residuals else {
             self.failures += 1;
             return;
         };
         self.found += residuals.len();
-        self.incomplete += usize::from(residuals.len() < expected || is_known_found == Some(false));
+        self.incomplete += usize::from(residuals.len() < expected || is_missed);
         self.residuals_log10
             .extend(residuals.iter().map(|residual| (1000.0 * residual.max(1e-17).log10()).round() / 1000.0));
     }
@@ -120,24 +125,38 @@ struct Solved {
     residuals: Option<Vec<f64>>,
     /// Whether there was a second attempt.
     is_repeated: bool,
-    /// Whether the known solution of the scene was found, if there is one.
-    is_known_found: Option<bool>,
+    /// The scene, if there is one.
+    scene: Option<SolvedScene>,
+}
+
+/// What the solver does on a scene.
+struct SolvedScene {
+    /// Whether the known solution is among the real ones that are returned.
+    is_known_found: bool,
+    /// Whether there was a second attempt.
+    is_repeated: bool,
 }
 
 impl Solved {
     fn of_instance(plan: &Plan, solver: &InterpretedSolver, (seed, k): (u64, usize)) -> Self {
-        let is_known_found = Self::is_known_found(plan, solver, seed_of(seed, k));
-        let none = Self { residuals: None, is_repeated: false, is_known_found };
+        let scene = SolvedScene::beside(plan, solver, seed_of(seed, k));
+        let none = Self { residuals: None, is_repeated: false, scene };
         let Ok(mut instance) = solver.instance(&random_instance(plan, seed, k)) else { return none };
         let found = instance.solve_complex();
         let residuals = found.map(|found| found.iter().map(|point| instance.residual(point)).collect()).ok();
         Self { residuals, is_repeated: instance.attempts() > 1, ..none }
     }
+}
 
-    /// Whether the solution that a scene says is among the real ones that are returned.
-    fn is_known_found(plan: &Plan, solver: &InterpretedSolver, seed: u64) -> Option<bool> {
+impl SolvedScene {
+    /// The scene of this seed, if the problem has one that says what solves it.
+    fn beside(plan: &Plan, solver: &InterpretedSolver, seed: u64) -> Option<Self> {
         let scene = plan.scene.as_ref().filter(|scene| scene.has_truth())?.draw(&mut Random::new(seed))?;
-        Some(solver.solve(&scene.data).is_ok_and(|points| has_known(plan, &points, &scene)))
+        let Ok(mut instance) = solver.instance(&scene.data) else {
+            return Some(Self { is_known_found: false, is_repeated: false });
+        };
+        let is_known_found = instance.solve().is_ok_and(|points| has_known(plan, &points, &scene));
+        Some(Self { is_known_found, is_repeated: instance.attempts() > 1 })
     }
 }
 
