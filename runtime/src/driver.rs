@@ -25,6 +25,7 @@ use crate::solution::extract::unknowns;
 use crate::solution::shared_value::SharedValue;
 use crate::solver_instance::{BasisVector, EigenpairSource, Points, SolverInstance};
 use crate::spectrum::hessenberg::Hessenberg;
+use crate::spectrum::inverse_iteration::ShiftedLu;
 use crate::spectrum::precise_spectrum::{PreciseSpectrum, Row, with_precise_spectrum};
 
 /// If |B| exceeds the number of solutions and all solutions are found, an eigenpair with a larger
@@ -215,13 +216,21 @@ fn from_action<I: SolverInstance>(
     if found.note(solver, values.as_ref()) {
         return Ok(false);
     }
-    let mut is_complete = add_separate(solver, (&spectrum, &values), found, (known, may_stop));
+    let in_order: &[Part] = if found.tries_real_first() { &[REAL, COMPLEX] } else { &[ALL] };
+    let mut is_complete = add_separate(solver, (&spectrum, &values), found, (known, may_stop), in_order);
     let may_lose_some = solver.has_large_quotients()
         || solver.loses_zeros() && is_far_out::<I::Basis, _>(action)
         || solver.misreads_zeros() && !is_complete;
     if found.starts_to_count(solver, may_lose_some) {
-        *known = solver.sizes().basis.list();
-        is_complete = add_separate(solver, (&spectrum, &values), found, (known, may_stop)) || found.has_all();
+        // Where signs can be changed, a real eigenvalue may belong to solutions that are not real.
+        let has_images = !images(solver).is_empty();
+        known.keep(|value| value.im == 0.0 && !has_images);
+        if !has_images {
+            found.count_real(solver);
+        }
+        let others = if has_images { ALL } else { COMPLEX };
+        is_complete &= add_separate(solver, (&spectrum, &values), found, (known, may_stop), &[others]);
+        is_complete |= found.has_all();
     }
     if !(is_complete || may_stop && found.lacks_some()) {
         add_shared(solver, action, (&spectrum, &values), found);
@@ -229,35 +238,50 @@ fn from_action<I: SolverInstance>(
     Ok(may_lose_some)
 }
 
-/// Adds the solutions of separate eigenpairs, and their eigenvalues to those known. Returns false
-/// if two of them gave the same solution, or if it stopped early because the eigenpairs that are
-/// left are too few. It is a function of its own, so that its memory is free afterwards.
+/// Eigenvalues with im >= 0 that are tried together.
+type Part = fn(&Complex<f64>) -> bool;
+
+const ALL: Part = |value| value.im >= 0.0;
+const REAL: Part = |value| value.im == 0.0;
+const COMPLEX: Part = |value| value.im > 0.0;
+
+/// Adds the solutions of separate eigenpairs, part by part, and their eigenvalues to those known.
+/// What real solutions show decides which others are wanted. Returns false if two eigenpairs gave
+/// the same solution, or if it stopped early because the eigenpairs that are left are too few. It
+/// is a function of its own, so that its memory is free afterwards.
 #[inline(never)]
 fn add_separate<I: SolverInstance>(
     solver: &I,
     (spectrum, values): (&Hessenberg<I::Basis>, &BasisVector<I, Complex<f64>>),
     found: &mut impl Collection<I>,
     (known, may_stop): (&mut Known<I>, bool),
+    parts: &[Part],
 ) -> bool {
     let size = solver.sizes().basis;
     let mut pairs = size.list();
-    push_eigenpairs(&mut pairs, spectrum, values.as_ref(), &|value| found.wants(value));
     let each = 1 + images(solver).len();
     let solutions_of = |pair: &EigenpairOf<I::Basis>| if pair.value.im == 0.0 { each } else { 2 * each };
-    let mut left = pairs.iter().map(solutions_of).sum::<usize>();
     let mut complete = true;
-    for &(residual, at) in in_order(solver, &pairs).iter() {
-        if found.has_all() && residual > NO_SOLUTION {
-            return true;
+    for (at, part) in parts.iter().enumerate() {
+        let first = pairs.len();
+        push_eigenpairs(&mut pairs, spectrum, values.as_ref(), &|value| part(value) && found.wants(value));
+        if at + 1 == parts.len() && pairs.is_empty() {
+            push_witness(&mut pairs, spectrum, values.as_ref());
         }
-        if may_stop && found.will_lack_some(left) {
-            return false;
-        }
-        let (pair, count) = (&pairs[at], found.count());
-        left -= solutions_of(pair);
-        complete &= found.add(solver, &Listed { size, pair }, pair.value);
-        if found.count() > count {
-            known.push(pair.value);
+        let mut left = pairs[first..].iter().map(solutions_of).sum::<usize>();
+        for &(residual, at) in in_order(solver, &pairs[first..]).iter() {
+            if found.has_all() && residual > NO_SOLUTION {
+                return true;
+            }
+            if may_stop && found.will_lack_some(left) {
+                return false;
+            }
+            let (pair, count) = (&pairs[first + at], found.count());
+            left -= solutions_of(pair);
+            complete &= found.add(solver, &Listed { size, pair }, pair.value);
+            if found.count() > count {
+                known.push(pair.value);
+            }
         }
     }
     complete
@@ -279,9 +303,8 @@ struct Listed<'a, B: Size> {
     pair: &'a EigenpairOf<B>,
 }
 
-/// Adds the eigenpairs of the eigenvalues that are wanted. One vector of a conjugate pair is
-/// computed, and the other follows from it. If none is wanted, the eigenvalue closest to a real one
-/// is a witness of whether eigenvalues are precise.
+/// Adds the eigenpairs of the eigenvalues that are wanted, which have im >= 0. One vector of a
+/// conjugate pair is computed, and the other follows from it.
 #[inline(never)]
 fn push_eigenpairs<B: Size>(
     pairs: &mut B::List<EigenpairOf<B>>,
@@ -289,27 +312,30 @@ fn push_eigenpairs<B: Size>(
     values: &[Complex<f64>],
     is_wanted: &dyn Fn(&Complex<f64>) -> bool,
 ) {
-    for &value in values {
-        if value.im >= 0.0 && is_wanted(&value) {
-            pairs.push(eigenpair(spectrum, value));
-        }
-    }
-    if pairs.is_empty() {
-        let angle = |value: &&Complex<f64>| value.im / value.re.abs();
-        let upper = values.iter().filter(|value| value.im > 0.0);
-        if let Some(&value) = upper.min_by(|a, b| angle(a).total_cmp(&angle(b))) {
-            pairs.push(eigenpair(spectrum, value));
-        }
+    let (size, mut real, mut complex) = (spectrum.size, None, None);
+    for &value in values.iter().filter(|value| is_wanted(value)) {
+        let vector = match value.im == 0.0 {
+            true => {
+                let memory = real.get_or_insert_with(|| ShiftedLu::new(size));
+                let vector = spectrum.eigenvector_in(memory, value.re);
+                mapped(size, &vector, |entry: f64| Complex::from(entry))
+            }
+            false => spectrum.eigenvector_in(complex.get_or_insert_with(|| ShiftedLu::new(size)), value),
+        };
+        pairs.push(Eigenpair { value, vector });
     }
 }
 
-#[inline]
-fn eigenpair<B: Size>(spectrum: &Hessenberg<B>, value: Complex<f64>) -> EigenpairOf<B> {
-    let vector = match value.im == 0.0 {
-        true => mapped(spectrum.size, &spectrum.eigenvector(value.re), |entry: f64| Complex::from(entry)),
-        false => spectrum.eigenvector(value),
-    };
-    Eigenpair { value, vector }
+/// Adds the eigenpair of the eigenvalue closest to a real one, a witness of whether eigenvalues are
+/// precise where none is wanted.
+#[cold]
+#[inline(never)]
+fn push_witness<B: Size>(pairs: &mut B::List<EigenpairOf<B>>, spectrum: &Hessenberg<B>, values: &[Complex<f64>]) {
+    let angle = |value: &&Complex<f64>| value.im / value.re.abs();
+    let upper = values.iter().filter(|value| value.im > 0.0);
+    if let Some(&value) = upper.min_by(|a, b| angle(a).total_cmp(&angle(b))) {
+        pairs.push(Eigenpair { value, vector: spectrum.eigenvector(value) });
+    }
 }
 
 impl<B: Size> Listed<'_, B> {

@@ -184,6 +184,18 @@ impl Scalar for DoubleDouble {
     fn is_finite(self) -> bool {
         self.high.is_finite() && self.low.is_finite()
     }
+    /// Two thirds of the operations of a product and a sum.
+    #[inline]
+    fn minus_product(self, a: Self, b: Self) -> Self {
+        let (product, error) = two_product(a.high, b.high);
+        let error = error + (a.high * b.low + a.low * b.high);
+        let (sum, rest) = two_sum(self.high, -product);
+        renormalized(sum, rest + (self.low - error))
+    }
+    #[inline]
+    fn plus_product(self, a: Self, b: Self) -> Self {
+        self.minus_product(-a, b)
+    }
 }
 
 impl Real for DoubleDouble {
@@ -321,6 +333,15 @@ impl Scalar for DoubleComplex {
     #[inline]
     fn is_finite(self) -> bool {
         self.re.is_finite() && self.im.is_finite()
+    }
+    fn minus_product(self, a: Self, b: Self) -> Self {
+        Self {
+            re: self.re.minus_product(a.re, b.re).plus_product(a.im, b.im),
+            im: self.im.minus_product(a.re, b.im).minus_product(a.im, b.re),
+        }
+    }
+    fn plus_product(self, a: Self, b: Self) -> Self {
+        self.minus_product(-a, b)
     }
 }
 

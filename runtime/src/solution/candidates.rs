@@ -3,7 +3,7 @@
 
 use num_complex::Complex;
 
-use crate::number::Scalar;
+use crate::number::{Scalar, float};
 use crate::number::scalar::mapped;
 use crate::size::{List, Size};
 use crate::solution::distinct::{Candidate, DOUBLE, push_distinct};
@@ -21,6 +21,11 @@ pub const MAX_RESIDUAL: f64 = 1e-10;
 /// eigenvalue may belong to a real solution: spurious eigenvalues are often close together and far
 /// less precise, and perturb others.
 const NEARLY_REAL: f64 = 0.1;
+
+/// An error e of real eigenvalues, seen in the polish, splits a pair of them by about the square
+/// root of e, relative to their modulus. This times the root is too far from the real axis, since
+/// the error of close eigenvalues may be larger than that of others.
+const SPLIT: f64 = 100.0;
 
 /// Rounding splits a real eigenvalue that four solutions share into complex ones this close to the
 /// real axis, relative to their modulus, or closer: the fourth root of the last digit, times ten.
@@ -56,10 +61,16 @@ pub(crate) trait Collection<I: SolverInstance> {
     #[cfg(feature = "alloc")]
     fn add_point(&mut self, solver: &I, point: Point<I, Complex<f64>>) -> bool;
 
+    /// Whether the solutions of real eigenvalues decide which other eigenvalues are wanted.
+    fn tries_real_first(&self) -> bool;
+
     /// Starts to count complex solutions, too, if eigenvalues turned out to be imprecise, or may be
     /// shared or lost as pairs. Returns true if it does so from now on: every eigenpair must then
-    /// be added, known ones again.
+    /// be added, known ones again, but for real ones if [`Collection::count_real`] is called.
     fn starts_to_count(&mut self, solver: &I, may_lose_pairs: bool) -> bool;
+
+    /// Counts the real solutions that are known.
+    fn count_real(&mut self, solver: &I);
 
     /// The number of solutions so far: complex ones if they are counted.
     fn count(&self) -> usize;
@@ -131,9 +142,17 @@ impl<I: SolverInstance> Collection<I> for AllSolutions<I> {
     }
 
     #[inline]
+    fn tries_real_first(&self) -> bool {
+        false
+    }
+
+    #[inline]
     fn starts_to_count(&mut self, _: &I, _: bool) -> bool {
         false
     }
+
+    #[inline]
+    fn count_real(&mut self, _: &I) {}
 
     #[inline]
     fn count(&self) -> usize {
@@ -156,6 +175,14 @@ impl<I: SolverInstance> Collection<I> for AllSolutions<I> {
     }
 }
 
+/// The largest errors of real eigenvalues.
+#[derive(Clone, Copy, Default)]
+struct EigenvalueError {
+    absolute: f64,
+    /// Relative to the eigenvalue.
+    relative: f64,
+}
+
 /// The real solutions.
 pub(crate) struct RealSolutions<I: SolverInstance> {
     real: Found<I, f64>,
@@ -174,6 +201,9 @@ pub(crate) struct RealSolutions<I: SolverInstance> {
     moved: f64,
     /// Whether it moved one by more than [`IMPRECISE`].
     is_imprecise: bool,
+    /// How far it moved the action monomials of all solutions of the attempt so far; `None` before
+    /// the first.
+    error: Option<EigenvalueError>,
     /// Whether an eigenvalue gave nothing new, or may be real up to rounding, where signs can be
     /// changed and the number of real eigenvalues says nothing of that of real solutions.
     may_share: bool,
@@ -194,6 +224,7 @@ impl<I: SolverInstance> RealSolutions<I> {
             has_failed: false,
             moved: 0.0,
             is_imprecise: false,
+            error: None,
             may_share: false,
             has_doubtful_number: false,
         }
@@ -203,6 +234,15 @@ impl<I: SolverInstance> RealSolutions<I> {
     #[inline]
     pub(crate) fn doubt_number(&mut self) {
         self.has_doubtful_number = true;
+        self.error = None;
+    }
+
+    /// How far from the real axis, relative to its modulus, an eigenvalue may be that belongs to a
+    /// real solution.
+    #[inline]
+    fn reach(&self, value: &Complex<f64>) -> f64 {
+        let Some(EigenvalueError { absolute, relative }) = self.error else { return NEARLY_REAL };
+        (SPLIT * float::sqrt(f64::max(absolute / value.re.abs(), relative))).clamp(SHARED, NEARLY_REAL)
     }
 
     /// Whether there is a solution for each real eigenvalue, and none of the others is nearly real.
@@ -263,6 +303,11 @@ impl<I: SolverInstance> RealSolutions<I> {
         self.is_imprecise |= !(moved <= IMPRECISE);
         let off = |action: S| (action - value).modulus() / action.modulus();
         self.moved = solver.action_value(&end.unknowns).map_or(moved, off);
+        let (size, error) = (value.modulus(), self.error.unwrap_or_default());
+        self.error = Some(EigenvalueError {
+            absolute: error.absolute.max(self.moved * size),
+            relative: error.relative.max(self.moved),
+        });
         Some(end)
     }
 }
@@ -270,12 +315,12 @@ impl<I: SolverInstance> RealSolutions<I> {
 impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
     #[inline]
     fn wants(&self, value: &Complex<f64>) -> bool {
-        self.all.is_some() || value.im <= NEARLY_REAL * value.re.abs()
+        self.all.is_some() || value.im <= self.reach(value) * value.re.abs()
     }
 
     #[inline]
     fn note(&mut self, solver: &I, values: &[Complex<f64>]) -> bool {
-        self.has_failed = false;
+        (self.has_failed, self.error) = (false, None);
         if self.all.is_none() && images(solver).is_empty() {
             let real = values.iter().filter(|value| value.im == 0.0);
             self.expected = Some(usize::from(solver.has_origin()) + real.count());
@@ -338,12 +383,26 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
     }
 
     #[inline]
+    fn tries_real_first(&self) -> bool {
+        self.all.is_none()
+    }
+
+    #[inline]
     fn starts_to_count(&mut self, solver: &I, may_lose_pairs: bool) -> bool {
         let starts = (self.is_imprecise || self.may_share || may_lose_pairs) && self.all.is_none();
         if starts {
             self.all = Some(AllSolutions::new(solver));
         }
         starts
+    }
+
+    #[inline]
+    fn count_real(&mut self, solver: &I) {
+        if let Some(all) = &mut self.all {
+            for real in self.real.iter() {
+                push_orbit(solver, &as_complex(solver, real), &mut all.found);
+            }
+        }
     }
 
     #[inline]

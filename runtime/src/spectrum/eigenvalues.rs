@@ -6,6 +6,8 @@
 //! wanted, so a sweep touches only the active diagonal block. Eigenvectors come one at a time from
 //! inverse iteration.
 
+use core::ops::Range;
+
 use crate::error::SolveError;
 use crate::number::{Real, float};
 use crate::size::{Size, Square};
@@ -168,39 +170,69 @@ fn sweep<Z: Size, R: Real>(h: &mut Square<Z, R>, low: usize, high: usize, shifts
         if tau == R::ZERO {
             continue;
         }
-        let (t1, t2) = (tau * v1, tau * v2);
+        let reflection = (tau, tau * v1, tau * v2, v1, v2);
+        let rows = &mut h.as_mut()[low..high];
         if three {
-            let [row0, row1, row2] = match h.as_mut()[k..].first_chunk_mut::<3>() {
-                Some(rows) => rows,
-                None => return,
-            };
-            for j in k..high {
-                let sum = row0[j] + v1 * row1[j] + v2 * row2[j];
-                row0[j] -= sum * tau;
-                row1[j] -= sum * t1;
-                row2[j] -= sum * t2;
-            }
-            for row in &mut h.as_mut()[low..high.min(k + 4)] {
-                let sum = row[k] + v1 * row[k + 1] + v2 * row[k + 2];
-                row[k] -= sum * tau;
-                row[k + 1] -= sum * t1;
-                row[k + 2] -= sum * t2;
-            }
+            reflect_three::<Z, R>(rows, (k - low, k..high), reflection);
         } else {
-            let [row0, row1] = match h.as_mut()[k..].first_chunk_mut::<2>() {
-                Some(rows) => rows,
-                None => return,
-            };
-            for j in k..high {
-                let sum = row0[j] + v1 * row1[j];
-                row0[j] -= sum * tau;
-                row1[j] -= sum * t1;
-            }
-            for row in &mut h.as_mut()[low..high] {
-                let sum = row[k] + v1 * row[k + 1];
-                row[k] -= sum * tau;
-                row[k + 1] -= sum * t1;
-            }
+            reflect_two::<Z, R>(rows, (k - low, k..high), reflection);
+        }
+    }
+}
+
+/// tau, tau v1, tau v2, v1, v2.
+type Reflection<R> = (R, R, R, R, R);
+
+/// Reflects three rows of the block from both sides: row `at` of it and the next two, and the three
+/// columns from `columns.start` on, down to the row below them.
+#[inline(always)]
+fn reflect_three<Z: Size, R: Real>(
+    block: &mut [Z::Vector<R>],
+    (at, columns): (usize, Range<usize>),
+    (tau, t1, t2, v1, v2): Reflection<R>,
+) {
+    // Slices of one length: the compiler need not check each index, and takes several at once.
+    if let Some([row0, row1, row2]) = block[at..].first_chunk_mut::<3>() {
+        let (row0, row1) = (&mut row0.as_mut()[columns.clone()], &mut row1.as_mut()[columns.clone()]);
+        let row2 = &mut row2.as_mut()[columns.clone()];
+        for ((x, y), z) in row0.iter_mut().zip(row1).zip(row2) {
+            let sum = x.plus_product(v1, *y).plus_product(v2, *z);
+            *x = x.minus_product(sum, tau);
+            *y = y.minus_product(sum, t1);
+            *z = z.minus_product(sum, t2);
+        }
+    }
+    let last = block.len().min(at + 4);
+    for row in &mut block[..last] {
+        if let Some([x, y, z]) = row.as_mut()[columns.start..].first_chunk_mut::<3>() {
+            let sum = x.plus_product(v1, *y).plus_product(v2, *z);
+            *x = x.minus_product(sum, tau);
+            *y = y.minus_product(sum, t1);
+            *z = z.minus_product(sum, t2);
+        }
+    }
+}
+
+/// The same for the last two rows and columns.
+#[inline(always)]
+fn reflect_two<Z: Size, R: Real>(
+    block: &mut [Z::Vector<R>],
+    (at, columns): (usize, Range<usize>),
+    (tau, t1, _, v1, _): Reflection<R>,
+) {
+    if let Some([row0, row1]) = block[at..].first_chunk_mut::<2>() {
+        let (row0, row1) = (&mut row0.as_mut()[columns.clone()], &mut row1.as_mut()[columns.clone()]);
+        for (x, y) in row0.iter_mut().zip(row1) {
+            let sum = x.plus_product(v1, *y);
+            *x = x.minus_product(sum, tau);
+            *y = y.minus_product(sum, t1);
+        }
+    }
+    for row in block {
+        if let Some([x, y]) = row.as_mut()[columns.start..].first_chunk_mut::<2>() {
+            let sum = x.plus_product(v1, *y);
+            *x = x.minus_product(sum, tau);
+            *y = y.minus_product(sum, t1);
         }
     }
 }
@@ -242,8 +274,8 @@ fn reflection<R: Real>(v: [R; 3]) -> (R, R, R, R) {
     let size = v[0].modulus().max(v[1].modulus()).max(v[2].modulus());
     // Squares of numbers of usual size need no scaling; tiny numbers need it.
     let scale = if size < 1e-140 && size > 0.0 { float::power_of_two(float::exponent(size).max(-1021)) } else { 1.0 };
-    let unit = R::from_f64(scale);
-    let [x, y, z] = [v[0] / unit, v[1] / unit, v[2] / unit];
+    let inverse = 1.0 / scale;
+    let [x, y, z] = if scale == 1.0 { v } else { v.map(|entry| entry.scale(inverse)) };
     let tail = y * y + z * z;
     if tail == R::ZERO {
         return (v[0], R::ZERO, R::ZERO, R::ZERO);

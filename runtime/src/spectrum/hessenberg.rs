@@ -3,6 +3,7 @@
 use crate::elimination::lu::all_finite;
 use crate::error::SolveError;
 use crate::number::scalar::mapped;
+use crate::number::sums::{dot_of, folded, sum_of};
 use crate::number::{Over, Real, Scalar, float};
 use crate::size::{Element, Fixed, Size, Square, Vector, filled_matrix};
 
@@ -51,13 +52,13 @@ fn reflect<R: Real, V: Vector<R>, const M: usize>(rows: &mut [V; M], columns: co
     let mut dots = [R::ZERO; M];
     for j in columns.clone() {
         for i in 0..M {
-            dots[i] += rows[i][j] * v[j];
+            dots[i] = dots[i].plus_product(rows[i][j], v[j]);
         }
     }
     for i in 0..M {
         let dot = dots[i] * tau;
         for j in columns.clone() {
-            rows[i][j] -= dot * v[j];
+            rows[i][j] = rows[i][j].minus_product(dot, v[j]);
         }
     }
 }
@@ -122,7 +123,7 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
         for k in 0..self.size.get().saturating_sub(2) {
             self.clear_column(k);
         }
-        let size = |row: &Z::Vector<R>| row.as_ref().iter().map(|x| x.modulus()).sum::<f64>();
+        let size = |row: &Z::Vector<R>| sum_of(row.as_ref().len(), 0.0, |j| row[j].modulus());
         self.norm = self.matrix.as_ref().iter().map(size).fold(0.0, f64::max);
         Ok(())
     }
@@ -131,12 +132,9 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
     /// matter.
     #[inline]
     fn normalize(&mut self) {
-        let mut largest = 0.0_f64;
-        for row in self.matrix.as_ref() {
-            for &entry in row.as_ref() {
-                largest = if entry.modulus() > largest { entry.modulus() } else { largest };
-            }
-        }
+        let larger = |a: f64, b: f64| if b > a { b } else { a };
+        let of_row = |row: &Z::Vector<R>| folded(row.as_ref().len(), 0.0, |j| row[j].modulus(), larger);
+        let largest = self.matrix.as_ref().iter().map(of_row).fold(0.0, larger);
         if largest == 0.0 || (1e-60..1e60).contains(&largest) {
             return;
         }
@@ -168,7 +166,8 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
     /// The sum of the squares of all entries.
     #[inline]
     fn squares(&self) -> f64 {
-        self.matrix.as_ref().iter().flat_map(|row| row.as_ref()).map(|x| x.modulus_squared()).sum()
+        let of_row = |row: &Z::Vector<R>| sum_of(row.as_ref().len(), 0.0, |j| row[j].modulus_squared());
+        self.matrix.as_ref().iter().map(of_row).sum()
     }
 
     #[inline]
@@ -178,11 +177,8 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
         for _ in 0..BALANCE_SWEEPS {
             let mut changed = false;
             for i in 0..n {
-                let (mut column, mut row) = (0.0, 0.0);
-                for j in 0..n {
-                    column += self.matrix[j][i].modulus_squared();
-                    row += self.matrix[i][j].modulus_squared();
-                }
+                let column = sum_of(n, 0.0, |j| self.matrix[j][i].modulus_squared());
+                let row = sum_of(n, 0.0, |j| self.matrix[i][j].modulus_squared());
                 if !(column > 1e-250 && row > 1e-250) {
                     continue;
                 }
@@ -222,7 +218,7 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
     fn clear_column(&mut self, k: usize) {
         let n = self.size.get();
         let h = &mut self.matrix;
-        let tail = (k + 2..n).map(|i| h[i][k] * h[i][k]).fold(R::ZERO, |sum, square| sum + square);
+        let tail = dot_of(n - k - 2, |i| (h[k + 2 + i][k], h[k + 2 + i][k]));
         // The tail is exactly zero, or below 1e-154 of the largest entry, so that its square
         // underflowed. It is dropped.
         if tail == R::ZERO {
@@ -247,13 +243,13 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
         let mut product = self.size.filled(R::ZERO);
         for i in k + 1..n {
             for j in k + 1..n {
-                product[j] += v[i] * h[i][j];
+                product[j] = product[j].plus_product(v[i], h[i][j]);
             }
         }
         for i in k + 1..n {
             let factor = tau * v[i];
             for j in k + 1..n {
-                h[i][j] -= factor * product[j];
+                h[i][j] = h[i][j].minus_product(factor, product[j]);
             }
         }
         // From the right: H -= tau (H v) v^T.
@@ -276,12 +272,8 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
             if self.tau[k] == R::ZERO {
                 continue;
             }
-            let v = &self.reflectors[k];
-            let mut dot = S::ZERO;
-            for i in k + 1..n {
-                dot += vector[i].times(v[i]);
-            }
-            let dot = dot.times(self.tau[k]);
+            let (v, first) = (&self.reflectors[k], k + 1);
+            let dot = sum_of(n - first, S::ZERO, |i| vector[first + i].times(v[first + i])).times(self.tau[k]);
             for i in k + 1..n {
                 vector[i] -= dot.times(v[i]);
             }

@@ -1,5 +1,6 @@
 //! Eigenvectors for given eigenvalues, by inverse iteration on the Hessenberg form.
 
+use crate::number::sums::dot_of;
 use crate::number::{Over, Real, Scalar, float};
 use crate::size::{Element, Size, Square, filled_matrix};
 use crate::spectrum::hessenberg::Hessenberg;
@@ -57,6 +58,7 @@ impl<S: Scalar, Z: Size> ShiftedLu<S, Z> {
                 self.upper[i][j] = S::from_real(h[i][j]);
             }
             self.upper[i][i] -= value;
+            self.swapped[i] = false;
         }
         for i in 0..n {
             if i + 1 < n {
@@ -70,8 +72,7 @@ impl<S: Scalar, Z: Size> ShiftedLu<S, Z> {
                 let multiplier = next[i] * self.inverse_pivot[i];
                 self.multiplier[i] = multiplier;
                 for j in i + 1..n {
-                    let entry = row[j];
-                    next[j] -= multiplier * entry;
+                    next[j] = next[j].minus_product(multiplier, row[j]);
                 }
             } else {
                 self.inverse_pivot[i] = guarded_reciprocal(self.upper[i][i], smallest);
@@ -86,8 +87,7 @@ impl<S: Scalar, Z: Size> ShiftedLu<S, Z> {
             if self.swapped[i] {
                 x.as_mut().swap(i, i + 1);
             }
-            let known = x[i];
-            x[i + 1] -= self.multiplier[i] * known;
+            x[i + 1] = x[i + 1].minus_product(self.multiplier[i], x[i]);
         }
     }
 
@@ -97,11 +97,9 @@ impl<S: Scalar, Z: Size> ShiftedLu<S, Z> {
         let n = self.size.get();
         let mut factor = 1.0;
         for i in (0..n).rev() {
-            let mut sum = x[i];
-            for j in i + 1..n {
-                sum -= self.upper[i][j] * x[j];
-            }
-            x[i] = sum * self.inverse_pivot[i];
+            let (row, first) = (&self.upper[i], i + 1);
+            let known = dot_of(n - first, |j| (row[first + j], x[first + j]));
+            x[i] = (x[i] - known) * self.inverse_pivot[i];
             let size = x[i].magnitude();
             if size > LARGE {
                 let inverse = 1.0 / size;
@@ -154,8 +152,12 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
     /// parallel. The result is not finite only if `value` is not.
     #[must_use]
     pub fn eigenvector<S: Scalar + Over<R>>(&self, value: S) -> Z::Vector<S> {
+        self.eigenvector_in(&mut ShiftedLu::new(self.size), value)
+    }
+
+    /// Like [`Hessenberg::eigenvector`], in memory that serves vector after vector.
+    pub(crate) fn eigenvector_in<S: Scalar + Over<R>>(&self, lu: &mut ShiftedLu<S, Z>, value: S) -> Z::Vector<S> {
         let n = self.size.get();
-        let mut lu = ShiftedLu::new(self.size);
         lu.factor(self, value.scale(1.0 / self.unit));
         // A solve that multiplies the length by this leaves a residual of 10 N epsilon |H|.
         let enough = 1.0 / (10.0 * n as f64 * lu.smallest);

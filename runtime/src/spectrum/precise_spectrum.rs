@@ -9,7 +9,7 @@ use crate::error::SolveError;
 use crate::memory::Memory;
 #[cfg(feature = "alloc")]
 use crate::memory::OnHeap;
-use crate::number::Scalar;
+use crate::number::{Over, Scalar};
 use crate::number::double_double::{DoubleComplex, DoubleDouble};
 use crate::size::{AtMost, Size};
 use crate::spectrum::hessenberg::Hessenberg;
@@ -34,7 +34,17 @@ trait Eigenvectors {
 
 impl<Z: Size> Eigenvectors for Hessenberg<Z, DoubleDouble> {
     fn eigenvector(&self, value: Complex<f64>, vector: &mut [Complex<f64>]) {
-        let precise = self.eigenvector(DoubleComplex::from_complex(value));
+        // Complex products are four real ones.
+        match value.im == 0.0 {
+            true => self.write_eigenvector(DoubleDouble::from_f64(value.re), vector),
+            false => self.write_eigenvector(DoubleComplex::from_complex(value), vector),
+        }
+    }
+}
+
+impl<Z: Size> Hessenberg<Z, DoubleDouble> {
+    fn write_eigenvector<S: Scalar + Over<DoubleDouble>>(&self, value: S, vector: &mut [Complex<f64>]) {
+        let precise = self.eigenvector(value);
         for (entry, known) in vector.iter_mut().zip(precise.as_ref()) {
             *entry = known.to_complex();
         }
