@@ -119,5 +119,3 @@ macro_rules! include_solver {
         include!(concat!(env!("OUT_DIR"), "/", $name, ".rs"));
     };
 }
-/// x
-pub static COUNTERS: [core::sync::atomic::AtomicUsize; 8] = [const { core::sync::atomic::AtomicUsize::new(0) }; 8];

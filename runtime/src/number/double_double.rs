@@ -396,6 +396,25 @@ mod tests {
         }
     }
 
+    /// What cancels leaves an error of both terms, relative to them.
+    #[test]
+    fn products_are_added_with_all_digits() {
+        let tiny = 2f64.powi(-60);
+        let (a, b) = (number(3.0, 1e-17), number(7.0, -2e-16));
+        let near = a * b;
+        for x in [number(1.0, 1e-17), number(-1e10, 3e-7), near, near + number(tiny, 1e-35), -near, DoubleDouble::ZERO]
+        {
+            let size = x.modulus() + near.modulus();
+            for (sum, exact) in [(x.minus_product(a, b), x - near), (x.plus_product(a, b), x + near)] {
+                assert!((sum - exact).modulus() <= DoubleDouble::EPSILON * size, "{x:?}: {sum:?}");
+            }
+            let [x, a, b] = [x, a, b].map(|part| DoubleComplex { re: part, im: part.scale(-0.5) });
+            for (sum, exact) in [(x.minus_product(a, b), x - a * b), (x.plus_product(a, b), x + a * b)] {
+                assert!((sum - exact).magnitude() <= 8.0 * DoubleDouble::EPSILON * size, "{x:?}: {sum:?}");
+            }
+        }
+    }
+
     #[test]
     fn quotients_have_all_digits() {
         for divisor in [3.0, -7.0, 0.1, 1e10] {

@@ -7,7 +7,7 @@
 //!    solution is ill-conditioned.
 //! 3. [`distinct`] removes solutions that were found more than once.
 //! 4. `shared_value` tells apart the solutions that share an eigenvalue.
-//! 5. `candidates` collects real solutions, or all solutions.
+//! 5. `candidates` collects all solutions, `real_solutions` the real ones.
 //! 6. [`inequality`] tells which of them are wanted.
 //! 7. [`chart`] gives vectors up to scale from the coordinates that were solved for.
 
@@ -19,6 +19,7 @@ pub(crate) mod extract;
 pub(crate) mod inequality;
 pub(crate) mod least_squares;
 pub(crate) mod polish;
+pub(crate) mod real_solutions;
 pub(crate) mod refine;
 pub(crate) mod shared_value;
 pub(crate) mod symmetries;

@@ -1,6 +1,7 @@
 //! From the action matrix to eigenpairs.
 //!
-//! 1. [`hessenberg`] reduces the matrix, and [`eigenvalues`] runs the QR iteration on the result.
+//! 1. [`hessenberg`] reduces the matrix, and [`eigenvalues`] runs the QR iteration on the result,
+//!    by sweeps of [`reflection`]s.
 //! 2. `inverse_iteration` gives the eigenvector of one eigenvalue at a time.
 //! 3. `invariant_subspace` gives the subspace of eigenvalues that are too close to be told apart.
 //! 4. `precise_spectrum` does 1 and 2 at twice the precision, for any size up to 256.
@@ -16,6 +17,7 @@ pub(crate) mod invariant_subspace;
 pub(crate) mod inverse_iteration;
 pub(crate) mod precise_spectrum;
 pub(crate) mod real_roots;
+pub(crate) mod reflection;
 pub(crate) mod root_count;
 
 #[cfg(all(test, feature = "alloc"))]

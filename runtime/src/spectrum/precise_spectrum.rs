@@ -9,8 +9,8 @@ use crate::error::SolveError;
 use crate::memory::Memory;
 #[cfg(feature = "alloc")]
 use crate::memory::OnHeap;
-use crate::number::{Over, Scalar};
 use crate::number::double_double::{DoubleComplex, DoubleDouble};
+use crate::number::{Over, Scalar};
 use crate::size::{AtMost, Size};
 use crate::spectrum::hessenberg::Hessenberg;
 
