@@ -433,7 +433,8 @@ fn bench_times_the_stages_of_solvers() {
         json(&folder, &[&["bench", "two_conics.rs", "two_conics.rs", "--runtime", runtime], &size[..]].concat());
     let solvers = report["solvers"].as_array().unwrap();
     assert_eq!(solvers.len(), 2);
-    let positive = ["coefficients", "total", "p99", "source_bytes", "program_bytes", "compile_seconds", "predicted"];
+    let positive =
+        ["coefficients", "solutions", "total", "p99", "source_bytes", "program_bytes", "compile_seconds", "predicted"];
     for solver in solvers {
         let figure = |key: &str| solver[key].as_f64().unwrap();
         assert!(positive.iter().all(|key| figure(key) > 0.0), "{report}");

@@ -290,9 +290,17 @@ fn check_claims(family: Family, first_seed: u64, wanted: u64, claims: &[(Bounds,
 #[test]
 fn all_solutions_are_found_on_random_data() {
     let claim = |what| Bounds { what, usual: 1e-3, exceptions: &[] };
+    let conjugates = Bounds {
+        exceptions: &[Exception {
+            problem: "relpose_7pt_focal_radial",
+            bound: 5e-3,
+            reason: "2 of the 275 instances here, 1 of 1000 others: of 68 solutions some are close, and 275 are few",
+        }],
+        ..claim("the conjugate of a solution is none")
+    };
     let claims: [(Bounds, Holds); 3] = [
         (claim("not all complex solutions found"), |o| o.is_complete),
-        (claim("the conjugate of a solution is none"), |o| o.has_conjugates),
+        (conjugates, |o| o.has_conjugates),
         (claim("solve does not give the real ones"), |o| o.real_ones_agree),
     ];
     check_claims(Family::Random, 52_000_000, INSTANCES, &claims);

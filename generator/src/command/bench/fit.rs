@@ -16,7 +16,7 @@ pub(super) struct Sample {
 impl Sample {
     /// The measured times of the stages.
     fn stages(&self) -> [f64; STAGES.len()] {
-        [self.times.coefficients, self.times.elimination, self.times.solutions]
+        [self.times.coefficients, self.times.elimination, self.times.after_elimination()]
     }
 }
 
@@ -160,7 +160,7 @@ mod tests {
                 let counts = std::array::from_fn(|_| 1.0 + 9.0 * random.symmetric_unit().abs());
                 let [coefficients, elimination, solutions] = predicted(&model, &counts);
                 let total = coefficients + elimination + solutions;
-                Sample { counts, times: Times { coefficients, elimination, solutions, total, p99: total, found: 1.0 } }
+                Sample { counts, times: Times { coefficients, elimination, solutions, total, ..Times::default() } }
             })
             .collect();
         let fit = Fit::of(&samples);

@@ -126,6 +126,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
             name: plan.name.clone(),
             source,
             parameters: plan.data.clone(),
+            eigenvalues: plan.chains.is_none().then_some(template.basis.len()),
             count,
             instances: (0..count).flat_map(|k| random_instance(plan, arguments.seed, k)).collect(),
         });
@@ -150,14 +151,16 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     }))
 }
 
-const HEAD: [&str; 14] = [
+const HEAD: [&str; 16] = [
     "solver",
     "roots",
     "template",
     "basis",
     "coefficients",
     "elimination",
+    "eigenvalues",
     "solutions",
+    "repeats",
     "total",
     "predicted",
     "p99",
@@ -169,10 +172,12 @@ const HEAD: [&str; 14] = [
 
 impl SolverReport {
     fn cells(&self) -> Vec<String> {
-        let Times { coefficients, elimination, solutions, total, p99, found } = self.times;
+        let Times { coefficients, elimination, eigenvalues, solutions, second_attempts, total, p99, found } =
+            self.times;
         let mut cells = vec![self.file.clone(), self.roots.to_owned(), format!("{}x{}", self.rows, self.columns)];
         cells.push(self.basis.to_string());
-        cells.extend([coefficients, elimination, solutions, total, self.predicted, p99].map(|x| format!("{x:.0}")));
+        let times = [coefficients, elimination, eigenvalues, solutions, second_attempts, total, self.predicted, p99];
+        cells.extend(times.map(|x| format!("{x:.0}")));
         cells.extend([format!("{found:.2}"), format!("{:.2} %", 100.0 * self.repeated)]);
         cells.extend([self.cost.program_bytes.div_ceil(1000).to_string(), format!("{:.1}", self.cost.compile_seconds)]);
         cells
@@ -191,7 +196,8 @@ impl fmt::Display for BenchReport {
         writeln!(
             f,
             "
-coefficients: from the data, with one residual; solutions: roots, vectors, polish, second attempts;
+coefficients: from the data, with one residual; eigenvalues: 0 where a determinant has the roots;
+solutions: roots of a determinant, vectors, polish; repeats: second attempts;
 predicted: the total by the model of the search; p99: of single solves; found: real solutions per instance;
 repeated: instances of which the complex solutions take a second attempt;
 program, compile: what the solver adds to a program, and the time to compile and link it alone"

@@ -11,6 +11,8 @@ pub(super) struct Subject {
     pub(super) source: String,
     /// The parameters.
     pub(super) parameters: Vec<DataParameter>,
+    /// |B| if roots are eigenvalues, `None` if they are those of a determinant.
+    pub(super) eigenvalues: Option<usize>,
     /// Number of instances.
     pub(super) count: usize,
     /// The data of all instances, one after another.
@@ -20,14 +22,21 @@ pub(super) struct Subject {
 impl Subject {
     /// The library: the solver, and `subject`, which reads its instances from this file.
     pub(super) fn library(&self, instances: &str) -> String {
-        let Self { name, source, parameters, count, .. } = self;
+        let Self { name, source, parameters, eigenvalues, count, .. } = self;
         let ParameterText { types, values, arguments } = ParameterText::of(parameters);
+        let spectrum = eigenvalues.map_or("true".to_owned(), |n| {
+            format!(
+                "<&[[f64; {n}]; {n}]>::try_from(&matrix[..])
+                .is_ok_and(|matrix| Hessenberg::reduce(matrix).and_then(|form| form.eigenvalues()).is_ok())"
+            )
+        });
         format!(
             "#![allow(unused)]
 {source}
 
 pub fn subject() -> Box<dyn ::timing::Subject> {{
     use {name} as solver;
+    use ::eliminant::{{SecondAttempts, Workspace, emitted::Hessenberg}};
     type Data = {types};
     fn read(next: &mut dyn FnMut() -> f64) -> Data {{
         {values}
@@ -39,6 +48,11 @@ pub fn subject() -> Box<dyn ::timing::Subject> {{
             solver::relative_residual({arguments}&point).is_ok()
         }},
         matrix: |data: &Data| solver::action_matrix({arguments}).is_ok(),
+        eigenvalues: |data: &Data| solver::action_matrix({arguments}).is_ok_and(|matrix| {spectrum}),
+        attempt: |data: &Data| {{
+            let mut workspace = Workspace::new().with_second_attempts(SecondAttempts::Never);
+            solver::solve_in(&mut workspace, {arguments}).is_ok()
+        }},
         solve: |data: &Data| solver::solve({arguments}).map_or(0, |found| found.len()),
     }})
 }}
@@ -57,10 +71,12 @@ mod tests {
             name: "s".into(),
             source: String::new(),
             parameters: parameters.to_vec(),
+            eigenvalues: Some(4),
             count: 3,
             instances: Vec::new(),
         };
-        assert!(subject(&[]).library("i").contains("type Data = ();"));
+        let library = subject(&[]).library("i");
+        assert!(library.contains("type Data = ();") && library.contains("try_from(&matrix[..])"));
         let parameters = [DataParameter::example("a", &[2], false), DataParameter::example("b", &[], false)];
         let library = subject(&parameters).library("i");
         assert!(library.contains("type Data = ([f64; 2], f64, );") && library.contains("solve(&data.0, data.1, )"));

@@ -23,11 +23,16 @@ const TIMING: &str = include_str!("timing.rs.txt");
 const BASE: &str = "use timing::{Timed, read_all, run};
 
 const POSITIVE: fn(&f64) -> bool = |x| *x > 0.0;
-const WHOLE: fn(&f64) -> usize = |x| *x as usize;
 
 fn main() {
-    let instances = read_all(\"instances_0\", 1, |next| next());
-    run(vec![Box::new(Timed { instances, residual: POSITIVE, matrix: POSITIVE, solve: WHOLE })]);
+    run(vec![Box::new(Timed {
+        instances: read_all(\"instances_0\", 1, |next| next()),
+        residual: POSITIVE,
+        matrix: POSITIVE,
+        eigenvalues: POSITIVE,
+        attempt: POSITIVE,
+        solve: |x| *x as usize,
+    })]);
 }
 ";
 
@@ -38,8 +43,12 @@ pub(super) struct Times {
     pub(super) coefficients: f64,
     /// Fill and elimination of the template.
     pub(super) elimination: f64,
-    /// Roots, vectors, polish, and second attempts.
+    /// All eigenvalues of the action matrix; 0 where roots are those of a determinant.
+    pub(super) eigenvalues: f64,
+    /// Roots of a determinant, vectors, polish.
     pub(super) solutions: f64,
+    /// Second attempts.
+    pub(super) second_attempts: f64,
     /// The whole of `solve`.
     pub(super) total: f64,
     /// The 99th percentile of single solves.
@@ -50,10 +59,25 @@ pub(super) struct Times {
 
 impl Times {
     /// From the measured times: the residual of a point, which begins with the coefficients; the
-    /// action matrix, which begins with them, too; all of `solve`; its percentile; the solutions.
-    fn of([residual, matrix, total, p99, found]: [f64; 5]) -> Self {
-        let elimination = (matrix - residual).max(0.0);
-        Self { coefficients: residual, elimination, solutions: (total - matrix).max(0.0), total, p99, found }
+    /// action matrix, which begins with them, too; the same with its eigenvalues; `solve` without
+    /// second attempts; all of it; its percentile; the solutions.
+    fn of([residual, matrix, spectrum, attempt, total, p99, found]: [f64; 7]) -> Self {
+        let after = |end: f64, start: f64| (end - start).max(0.0);
+        Self {
+            coefficients: residual,
+            elimination: after(matrix, residual),
+            eigenvalues: after(spectrum, matrix),
+            solutions: after(attempt, spectrum.max(matrix)),
+            second_attempts: after(total, attempt),
+            total,
+            p99,
+            found,
+        }
+    }
+
+    /// What follows the elimination.
+    pub(super) fn after_elimination(&self) -> f64 {
+        self.eigenvalues + self.solutions + self.second_attempts
     }
 }
 
@@ -123,7 +147,7 @@ impl TimingCrate {
     }
 }
 
-/// Five numbers of a line.
+/// Seven numbers of a line.
 fn times(line: &str) -> Option<Times> {
     let numbers: Vec<f64> = line.split_whitespace().map(str::parse).collect::<Result<_, _>>().ok()?;
     Some(Times::of(numbers.try_into().ok()?))
@@ -135,15 +159,17 @@ mod tests {
 
     #[test]
     fn stages_are_differences_and_never_negative() {
-        let times = Times::of([100.0, 250.0, 900.0, 1500.0, 4.2]);
-        assert_eq!((times.coefficients, times.elimination, times.solutions), (100.0, 150.0, 650.0));
-        assert_eq!((times.total, times.p99, times.found), (900.0, 1500.0, 4.2));
-        assert_eq!(Times::of([100.0, 90.0, 80.0, 80.0, 0.0]).elimination, 0.0);
+        let times = Times::of([100.0, 250.0, 550.0, 900.0, 1000.0, 1500.0, 4.2]);
+        assert_eq!((times.coefficients, times.elimination, times.eigenvalues), (100.0, 150.0, 300.0));
+        assert_eq!((times.solutions, times.second_attempts, times.after_elimination()), (350.0, 100.0, 750.0));
+        assert_eq!((times.total, times.p99, times.found), (1000.0, 1500.0, 4.2));
+        let times = Times::of([100.0, 90.0, 80.0, 85.0, 80.0, 80.0, 0.0]);
+        assert_eq!((times.elimination, times.after_elimination()), (0.0, 0.0));
     }
 
     #[test]
-    fn lines_of_five_numbers_are_times() {
-        assert_eq!(times("1 2.5 4 5 0"), Some(Times::of([1.0, 2.5, 4.0, 5.0, 0.0])));
-        assert_eq!((times("1 2 3 4"), times("1 2 3 4 x")), (None, None));
+    fn lines_of_seven_numbers_are_times() {
+        assert_eq!(times("1 2.5 3 4 5 6 0"), Some(Times::of([1.0, 2.5, 3.0, 4.0, 5.0, 6.0, 0.0])));
+        assert_eq!((times("1 2 3 4 5 6"), times("1 2 3 4 5 6 x")), (None, None));
     }
 }

@@ -19,9 +19,11 @@
 //! 2. *Confirmation.* Precise candidates that are not rejected are the *finalists*. They are
 //!    measured on [`Measuring::confirm`] instances one after another, each only until it is
 //!    rejected. The order is that of the preference, with two exceptions. For *speed*, the time
-//!    of second attempts is added, and of those that take at most [`EQUAL_COST`] times the least
-//!    the one with fewest rows comes first, then the one with fewest operations. For *stability*,
-//!    the order is fewest unsolved instances, then smallest 99 % quantile, then smallest median.
+//!    of second attempts is added, as many as scenes take, if there are any: users have data like
+//!    them, and they may take forty times as many as random numbers. Of those that take at most
+//!    [`EQUAL_COST`] times the least the one with fewest rows comes first, then the one with fewest
+//!    operations. For *stability*, the order is fewest unsolved instances, then smallest 99 %
+//!    quantile, then smallest median.
 //!    The first finalist that lasts and lacks a solution on at most one instance in
 //!    [`INCOMPLETE_ONE_IN`] is *accepted*. If none is, further candidates are screened, up to
 //!    [`SCREENED_AT_MOST`] and until all measurements together take [`MEASURING_WORK`].

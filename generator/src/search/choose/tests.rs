@@ -143,6 +143,24 @@ fn second_attempts_take_time() {
     assert_eq!(chosen_where([5, 3, 0]), Some((2, Accepted)));
 }
 
+/// Scenes are like the data of users: where there are any, random instances say nothing.
+#[test]
+fn second_attempts_on_scenes_decide() {
+    let made = [(100, 9, -15.0, 0), (130, 9, -15.0, 0)];
+    let chosen_where = |on_scenes: [usize; 2]| {
+        let measure = |at: usize, instances: Range<usize>| Stability {
+            repeated: instances.len() / 20,
+            scenes: instances.len(),
+            scenes_repeated: instances.len() * on_scenes[at] / 100,
+            ..measure_made(&made, at, instances)
+        };
+        decide_by(Speed, &Unmonitored, &made, &measure).0
+    };
+    assert_eq!(chosen_where([1, 0]), Some((0, Accepted)));
+    assert_eq!(chosen_where([3, 0]), Some((1, Accepted)));
+    assert_eq!(chosen_where([3, 3]), Some((0, Accepted)));
+}
+
 #[test]
 fn the_cheapest_is_confirmed_first_where_second_attempts_turn_out_to_be_many() {
     // Screening sees no second attempt of the first candidate, whose rows are fewest. Of the
