@@ -257,8 +257,7 @@ impl Row {
             format!("{:.0}", self.nanoseconds),
             one_decimal(self.p99),
             self.trials.to_string(),
-            self.repeated.to_string(),
-            self.scenes_repeated.map_or_else(|| "-".to_owned(), |count| count.to_string()),
+            self.scenes_repeated.unwrap_or(self.repeated).to_string(),
             self.incomplete.to_string(),
             self.failures.to_string(),
         ]
@@ -267,21 +266,8 @@ impl Row {
 
 const HEAD_OF_FRONT: [&str; 10] = ["", "size", "action", "verdict", "|B|", "ns", "median", "p99", "trials", "unsolved"];
 
-const HEAD: [&str; 13] = [
-    "",
-    "size",
-    "action",
-    "way",
-    "verdict",
-    "|B|",
-    "ns",
-    "p99",
-    "trials",
-    "repeated",
-    "on scenes",
-    "incomplete",
-    "failed",
-];
+const HEAD: [&str; 12] =
+    ["", "size", "action", "way", "verdict", "|B|", "ns", "p99", "trials", "repeated", "incomplete", "failed"];
 
 impl fmt::Display for SearchReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -311,13 +297,12 @@ impl fmt::Display for SearchReport {
         for (at, way) in ways.iter().enumerate() {
             writeln!(f, "w{}  {way}", at + 1)?;
         }
+        let any = |is_so: fn(&Row) -> bool, words| if self.candidates.iter().any(is_so) { words } else { "" };
         writeln!(
             f,
-            "(* chosen; + on the Pareto front of predicted ns with second attempts, rows, p99 and unsolved\n instances; p99 of the log10 relative residual{})\n",
-            match self.candidates.iter().any(|row| row.is_presolved_at_run_time) {
-                true => ";\n ns count 1.25 times where equations are solved at run time",
-                false => "",
-            }
+            "(* chosen; + on the Pareto front of predicted ns with second attempts, rows, p99 and unsolved\n instances; p99 of the log10 relative residual{}{})\n",
+            any(|row| row.scenes_repeated.is_some(), ";\n repeated counts scenes, one beside every trial"),
+            any(|row| row.is_presolved_at_run_time, ";\n ns count 1.25 times where equations are solved at run time"),
         )?;
         for warning in &self.warnings {
             writeln!(f, "warning: {warning}")?;
