@@ -375,8 +375,8 @@ fn zero_is_a_real_solution() {
 }
 
 /// Of four eigenvalues, 1 and 2 give solutions. The other two are taken for lost if they are real,
-/// or as close to real as the error of real ones allows. The second attempt does not find them, and then the first one, which stopped when
-/// one was lost, is completed.
+/// or as close to real as the error of real ones allows. The second attempt does not find them, and
+/// then the first one, which stopped when one was lost, is completed.
 #[test]
 fn real_eigenvalues_without_real_solutions_cause_a_second_attempt() {
     let attempts = |[third, fourth]: [Complex<f64>; 2], moves: f64| {
