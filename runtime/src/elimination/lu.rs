@@ -226,11 +226,11 @@ fn eliminate<R: Real, V: Vector<R>>(
             if row[k] != R::ZERO {
                 let multiplier = row[k] * inverse;
                 for (entry, pivot_entry) in row[first..].iter_mut().zip(&pivot_row[first..]) {
-                    *entry = entry.minus_product(multiplier, *pivot_entry);
+                    *entry -= multiplier * *pivot_entry;
                 }
                 row[k] = R::ZERO;
                 for (entry, pivot_entry) in right_row.as_mut().iter_mut().zip(pivot_right.as_ref()) {
-                    *entry = entry.minus_product(multiplier, *pivot_entry);
+                    *entry -= multiplier * *pivot_entry;
                 }
             }
         }
@@ -248,7 +248,7 @@ fn back_substitute<R: Real, V: Vector<R>>(matrix: &[R], right: &mut [V], first: 
         for (factor, solved) in matrix[k * n + k + 1..(k + 1) * n].iter().zip(below.iter()) {
             if *factor != R::ZERO {
                 for (entry, known) in row.as_mut().iter_mut().zip(solved.as_ref()) {
-                    *entry = entry.minus_product(*factor, *known);
+                    *entry -= *factor * *known;
                 }
             }
         }

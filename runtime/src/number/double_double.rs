@@ -184,18 +184,6 @@ impl Scalar for DoubleDouble {
     fn is_finite(self) -> bool {
         self.high.is_finite() && self.low.is_finite()
     }
-    /// Two thirds of the operations of a product and a sum.
-    #[inline]
-    fn minus_product(self, a: Self, b: Self) -> Self {
-        let (product, error) = two_product(a.high, b.high);
-        let error = error + (a.high * b.low + a.low * b.high);
-        let (sum, rest) = two_sum(self.high, -product);
-        renormalized(sum, rest + (self.low - error))
-    }
-    #[inline]
-    fn plus_product(self, a: Self, b: Self) -> Self {
-        self.minus_product(-a, b)
-    }
 }
 
 impl Real for DoubleDouble {
@@ -334,15 +322,6 @@ impl Scalar for DoubleComplex {
     fn is_finite(self) -> bool {
         self.re.is_finite() && self.im.is_finite()
     }
-    fn minus_product(self, a: Self, b: Self) -> Self {
-        Self {
-            re: self.re.minus_product(a.re, b.re).plus_product(a.im, b.im),
-            im: self.im.minus_product(a.re, b.im).minus_product(a.im, b.re),
-        }
-    }
-    fn plus_product(self, a: Self, b: Self) -> Self {
-        self.minus_product(-a, b)
-    }
 }
 
 #[cfg(test)]
@@ -393,25 +372,6 @@ mod tests {
             (number(1.0, tiny), number(tiny, 2f64.powi(-100)), number(1.0, 2.0 * tiny + 2f64.powi(-100))),
         ] {
             assert!(difference(a + b, exact) <= 0.25 * DoubleDouble::EPSILON, "{a:?} + {b:?}: {:?}", a + b);
-        }
-    }
-
-    /// What cancels leaves an error of both terms, relative to them.
-    #[test]
-    fn products_are_added_with_all_digits() {
-        let tiny = 2f64.powi(-60);
-        let (a, b) = (number(3.0, 1e-17), number(7.0, -2e-16));
-        let near = a * b;
-        for x in [number(1.0, 1e-17), number(-1e10, 3e-7), near, near + number(tiny, 1e-35), -near, DoubleDouble::ZERO]
-        {
-            let size = x.modulus() + near.modulus();
-            for (sum, exact) in [(x.minus_product(a, b), x - near), (x.plus_product(a, b), x + near)] {
-                assert!((sum - exact).modulus() <= DoubleDouble::EPSILON * size, "{x:?}: {sum:?}");
-            }
-            let [x, a, b] = [x, a, b].map(|part| DoubleComplex { re: part, im: part.scale(-0.5) });
-            for (sum, exact) in [(x.minus_product(a, b), x - a * b), (x.plus_product(a, b), x + a * b)] {
-                assert!((sum - exact).magnitude() <= 8.0 * DoubleDouble::EPSILON * size, "{x:?}: {sum:?}");
-            }
         }
     }
 

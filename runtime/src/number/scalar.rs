@@ -59,17 +59,6 @@ pub trait Scalar:
     fn sqrt(self) -> Self;
     /// Whether the number is neither infinite nor NaN.
     fn is_finite(self) -> bool;
-    /// self - a b. Its error is at most some roundings of |self| + |a b|: digits that cancel are
-    /// lost.
-    #[inline(always)]
-    fn minus_product(self, a: Self, b: Self) -> Self {
-        self - a * b
-    }
-    /// self + a b, as [`Scalar::minus_product`].
-    #[inline(always)]
-    fn plus_product(self, a: Self, b: Self) -> Self {
-        self + a * b
-    }
 }
 
 impl<S: Scalar> Arithmetic for S {

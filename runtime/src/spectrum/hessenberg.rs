@@ -3,7 +3,7 @@
 use crate::elimination::lu::all_finite;
 use crate::error::SolveError;
 use crate::number::scalar::mapped;
-use crate::number::sums::{dot_of, folded, sum_of};
+use crate::number::sums::{folded, sum_of};
 use crate::number::{Over, Real, Scalar, float};
 use crate::size::{Element, Fixed, Size, Square, Vector, filled_matrix};
 
@@ -52,13 +52,13 @@ fn reflect<R: Real, V: Vector<R>, const M: usize>(rows: &mut [V; M], columns: co
     let mut dots = [R::ZERO; M];
     for j in columns.clone() {
         for i in 0..M {
-            dots[i] = dots[i].plus_product(rows[i][j], v[j]);
+            dots[i] += rows[i][j] * v[j];
         }
     }
     for i in 0..M {
         let dot = dots[i] * tau;
         for j in columns.clone() {
-            rows[i][j] = rows[i][j].minus_product(dot, v[j]);
+            rows[i][j] -= dot * v[j];
         }
     }
 }
@@ -218,7 +218,7 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
     fn clear_column(&mut self, k: usize) {
         let n = self.size.get();
         let h = &mut self.matrix;
-        let tail = dot_of(n - k - 2, |i| (h[k + 2 + i][k], h[k + 2 + i][k]));
+        let tail = sum_of(n - k - 2, R::ZERO, |i| h[k + 2 + i][k] * h[k + 2 + i][k]);
         // The tail is exactly zero, or below 1e-154 of the largest entry, so that its square
         // underflowed. It is dropped.
         if tail == R::ZERO {
@@ -243,13 +243,13 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
         let mut product = self.size.filled(R::ZERO);
         for i in k + 1..n {
             for j in k + 1..n {
-                product[j] = product[j].plus_product(v[i], h[i][j]);
+                product[j] += v[i] * h[i][j];
             }
         }
         for i in k + 1..n {
             let factor = tau * v[i];
             for j in k + 1..n {
-                h[i][j] = h[i][j].minus_product(factor, product[j]);
+                h[i][j] -= factor * product[j];
             }
         }
         // From the right: H -= tau (H v) v^T.

@@ -1,6 +1,6 @@
 //! Eigenvectors for given eigenvalues, by inverse iteration on the Hessenberg form.
 
-use crate::number::sums::dot_of;
+use crate::number::sums::sum_of;
 use crate::number::{Over, Real, Scalar, float};
 use crate::size::{Element, Size, Square, filled_matrix};
 use crate::spectrum::hessenberg::Hessenberg;
@@ -72,7 +72,8 @@ impl<S: Scalar, Z: Size> ShiftedLu<S, Z> {
                 let multiplier = next[i] * self.inverse_pivot[i];
                 self.multiplier[i] = multiplier;
                 for j in i + 1..n {
-                    next[j] = next[j].minus_product(multiplier, row[j]);
+                    let entry = row[j];
+                    next[j] -= multiplier * entry;
                 }
             } else {
                 self.inverse_pivot[i] = guarded_reciprocal(self.upper[i][i], smallest);
@@ -87,7 +88,8 @@ impl<S: Scalar, Z: Size> ShiftedLu<S, Z> {
             if self.swapped[i] {
                 x.as_mut().swap(i, i + 1);
             }
-            x[i + 1] = x[i + 1].minus_product(self.multiplier[i], x[i]);
+            let known = x[i];
+            x[i + 1] -= self.multiplier[i] * known;
         }
     }
 
@@ -98,7 +100,7 @@ impl<S: Scalar, Z: Size> ShiftedLu<S, Z> {
         let mut factor = 1.0;
         for i in (0..n).rev() {
             let (row, first) = (&self.upper[i], i + 1);
-            let known = dot_of(n - first, |j| (row[first + j], x[first + j]));
+            let known = sum_of(n - first, S::ZERO, |j| row[first + j] * x[first + j]);
             x[i] = (x[i] - known) * self.inverse_pivot[i];
             let size = x[i].magnitude();
             if size > LARGE {

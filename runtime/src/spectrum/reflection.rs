@@ -39,19 +39,19 @@ pub(super) fn reflect_three<Z: Size, R: Real>(
         let (row0, row1) = (&mut row0.as_mut()[columns.clone()], &mut row1.as_mut()[columns.clone()]);
         let row2 = &mut row2.as_mut()[columns.clone()];
         for ((x, y), z) in row0.iter_mut().zip(row1).zip(row2) {
-            let sum = x.plus_product(v1, *y).plus_product(v2, *z);
-            *x = x.minus_product(sum, tau);
-            *y = y.minus_product(sum, t1);
-            *z = z.minus_product(sum, t2);
+            let sum = *x + v1 * *y + v2 * *z;
+            *x -= sum * tau;
+            *y -= sum * t1;
+            *z -= sum * t2;
         }
     }
     let last = block.len().min(at + 4);
     for row in &mut block[..last] {
         if let Some([x, y, z]) = row.as_mut()[columns.start..].first_chunk_mut::<3>() {
-            let sum = x.plus_product(v1, *y).plus_product(v2, *z);
-            *x = x.minus_product(sum, tau);
-            *y = y.minus_product(sum, t1);
-            *z = z.minus_product(sum, t2);
+            let sum = *x + v1 * *y + v2 * *z;
+            *x -= sum * tau;
+            *y -= sum * t1;
+            *z -= sum * t2;
         }
     }
 }
@@ -66,16 +66,16 @@ pub(super) fn reflect_two<Z: Size, R: Real>(
     if let Some([row0, row1]) = block[at..].first_chunk_mut::<2>() {
         let (row0, row1) = (&mut row0.as_mut()[columns.clone()], &mut row1.as_mut()[columns.clone()]);
         for (x, y) in row0.iter_mut().zip(row1) {
-            let sum = x.plus_product(v1, *y);
-            *x = x.minus_product(sum, tau);
-            *y = y.minus_product(sum, t1);
+            let sum = *x + v1 * *y;
+            *x -= sum * tau;
+            *y -= sum * t1;
         }
     }
     for row in block {
         if let Some([x, y]) = row.as_mut()[columns.start..].first_chunk_mut::<2>() {
-            let sum = x.plus_product(v1, *y);
-            *x = x.minus_product(sum, tau);
-            *y = y.minus_product(sum, t1);
+            let sum = *x + v1 * *y;
+            *x -= sum * tau;
+            *y -= sum * t1;
         }
     }
 }
