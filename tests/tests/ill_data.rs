@@ -50,7 +50,8 @@ const UNITS: [(&str, i32, i32); 14] = [
     ("pose_3pt_depths", -10, 6),
     // 3 of 5 at 6, and 0.76 at -10: images in another unit are other images.
     ("pose_3pt_upright_error_bound", -10, 4),
-    ("pose_4pt_upright_error_bound", -8, 10),
+    // 0.93 at -8; of 400 other instances there 0.98, and no more before eigenvalues changed.
+    ("pose_4pt_upright_error_bound", -6, 10),
     // 0.91 at 8.
     ("pose_6pt_rolling_shutter", -8, 6),
     // 0.04 at 4: the mean of 1 stays 1, so that the square of the points' mean outgrows the means
