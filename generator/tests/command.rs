@@ -440,6 +440,7 @@ fn bench_times_the_stages_of_solvers() {
         assert!(positive.iter().all(|key| figure(key) > 0.0), "{report}");
         assert!((1.0..=2.5).contains(&figure("found")), "{report}");
         assert_eq!((&solver["found"], &solver["roots"]), (&solvers[0]["found"], &"determinant".into()));
+        assert_eq!(figure("eigenvalues"), 0.0, "none is computed: {report}");
     }
     // Both have the same counts: the fit is between their times.
     // Both solvers have one plan, for which each model predicts one time.

@@ -224,13 +224,12 @@ fn from_action<I: SolverInstance>(
         || solver.misreads_zeros() && !is_complete;
     if found.starts_to_count(solver, may_lose_some) {
         // Where signs can be changed, a real eigenvalue may belong to solutions that are not real.
-        let has_images = !images(solver).is_empty();
-        known.keep(|value| value.im == 0.0 && !has_images);
-        if !has_images {
+        let again = if images(solver).is_empty() { COMPLEX } else { ALL };
+        if images(solver).is_empty() {
             found.count_real(solver);
         }
-        let others = if has_images { ALL } else { COMPLEX };
-        is_complete &= add_separate(solver, (&spectrum, &values), found, (known, may_stop), &[others]);
+        known.keep(|value| !again(value));
+        is_complete &= add_separate(solver, (&spectrum, &values), found, (known, may_stop), &[again]);
         is_complete |= found.has_all();
     }
     if !(is_complete || may_stop && found.lacks_some()) {

@@ -21,9 +21,10 @@ use crate::solver_instance::{BasisVector, EigenpairSource, Found, Points, Solver
 /// less precise, and perturb others.
 const NEARLY_REAL: f64 = 0.1;
 
-/// An error e of real eigenvalues, seen in the polish, splits a pair of them by about the square
-/// root of e, relative to their modulus. This times the root is too far from the real axis, since
-/// the error of close eigenvalues may be larger than that of others.
+/// An error e of eigenvalues, seen in the polish, splits a pair of real ones by about the square
+/// root of e, relative to their modulus. An eigenvalue further from the real axis than this times
+/// the root is no such one. The factor is large, because the error of close eigenvalues may be
+/// larger than that of others.
 const SPLIT: f64 = 100.0;
 
 /// Rounding splits a real eigenvalue that four solutions share into complex ones this close to the
@@ -41,7 +42,8 @@ pub(crate) const IMPRECISE_ROOT: f64 = 1e-7;
 /// An unknown may be moved by this part of the largest unknown, relative to the bound.
 pub(crate) const IMPRECISE_FLOOR: f64 = 1e-2;
 
-/// The largest errors of real eigenvalues.
+/// The largest errors of the eigenvalues that led to solutions: how far the polish moves the action
+/// monomial.
 #[derive(Clone, Copy, Default)]
 struct EigenvalueError {
     absolute: f64,

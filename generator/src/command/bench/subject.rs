@@ -11,7 +11,8 @@ pub(super) struct Subject {
     pub(super) source: String,
     /// The parameters.
     pub(super) parameters: Vec<DataParameter>,
-    /// |B| if roots are eigenvalues, `None` if they are those of a determinant.
+    /// |B| if roots are eigenvalues, `None` if they are those of a determinant: there is nothing to
+    /// time then.
     pub(super) eigenvalues: Option<usize>,
     /// Number of instances.
     pub(super) count: usize,
@@ -24,10 +25,12 @@ impl Subject {
     pub(super) fn library(&self, instances: &str) -> String {
         let Self { name, source, parameters, eigenvalues, count, .. } = self;
         let ParameterText { types, values, arguments } = ParameterText::of(parameters);
-        let spectrum = eigenvalues.map_or("true".to_owned(), |n| {
+        let eigenvalues = eigenvalues.map_or("|_| true".to_owned(), |n| {
             format!(
-                "<&[[f64; {n}]; {n}]>::try_from(&matrix[..])
-                .is_ok_and(|matrix| Hessenberg::reduce(matrix).and_then(|form| form.eigenvalues()).is_ok())"
+                "|data: &Data| solver::action_matrix({arguments}).is_ok_and(|matrix| {{
+            <&[[f64; {n}]; {n}]>::try_from(&matrix[..])
+                .is_ok_and(|matrix| Hessenberg::reduce(matrix).and_then(|form| form.eigenvalues()).is_ok())
+        }})"
             )
         });
         format!(
@@ -48,7 +51,7 @@ pub fn subject() -> Box<dyn ::timing::Subject> {{
             solver::relative_residual({arguments}&point).is_ok()
         }},
         matrix: |data: &Data| solver::action_matrix({arguments}).is_ok(),
-        eigenvalues: |data: &Data| solver::action_matrix({arguments}).is_ok_and(|matrix| {spectrum}),
+        eigenvalues: {eigenvalues},
         attempt: |data: &Data| {{
             let mut workspace = Workspace::new().with_second_attempts(SecondAttempts::Never);
             solver::solve_in(&mut workspace, {arguments}).is_ok()
