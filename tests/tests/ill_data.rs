@@ -50,8 +50,7 @@ const UNITS: [(&str, i32, i32); 14] = [
     ("pose_3pt_depths", -10, 6),
     // 3 of 5 at 6, and 0.76 at -10: images in another unit are other images.
     ("pose_3pt_upright_error_bound", -10, 4),
-    // 0.93 at -8; of 400 other instances there 0.98, and no more before eigenvalues changed.
-    ("pose_4pt_upright_error_bound", -6, 10),
+    ("pose_4pt_upright_error_bound", -8, 10),
     // 0.91 at 8.
     ("pose_6pt_rolling_shutter", -8, 6),
     // 0.04 at 4: the mean of 1 stays 1, so that the square of the points' mean outgrows the means
@@ -61,6 +60,7 @@ const UNITS: [(&str, i32, i32); 14] = [
     ("pose_npt_weak_perspective", -10, 8),
     // 0.30 at -6: images in another unit are other images.
     ("relpose_3pt_depths", -4, 10),
+    // 0.92 of 600 instances at -6, which few do not tell.
     ("relpose_6pt_radial", -6, 4),
     // 0.06 at -4 and 0.00 at 4: the second camera is calibrated.
     ("relpose_7pt_focal_radial_one_side", -2, 2),
@@ -332,18 +332,22 @@ fn scaled_data_are_solved_completely() {
     for subject in subjects() {
         let unit = UNITS.iter().find(|(name, ..)| *name == subject.case.name);
         let (low, high) = unit.map_or((SCALES[0], SCALES[10]), |&(_, low, high)| (low, high));
-        let wanted = (WORK / 4 / subject.operations).clamp(FEWEST, SCALED);
+        let few = (WORK / 4 / subject.operations).clamp(FEWEST, SCALED);
         let mut shares = Vec::new();
         for exponent in SCALES.into_iter().filter(|exponent| (low..=high).contains(exponent)) {
-            let incomplete = wanted - subject.complete(exponent, wanted);
+            // Of few instances chance decides: where they look bad, the same bound holds for more.
+            let (mut wanted, mut incomplete) = (few, few - subject.complete(exponent, few));
+            if share(incomplete, wanted) > INCOMPLETE {
+                (wanted, incomplete) = (SCALED, SCALED - subject.complete(exponent, SCALED));
+            }
             shares.push(format!("{:.2} at {exponent}", 1.0 - incomplete as f64 / wanted as f64));
             if share(incomplete, wanted) > INCOMPLETE {
                 faults.push(format!("{}: {incomplete} of {wanted} at 1e{exponent} lack solutions", subject.case.name));
             }
         }
-        println!("{}: of {wanted} instances all solutions are found on {}", subject.case.name, shares.join(", "));
+        println!("{}: of {few} instances or more all solutions are found on {}", subject.case.name, shares.join(", "));
         let outside = [low - 2, high + 2].into_iter().filter(|exponent| SCALES.contains(exponent));
-        if unit.is_some() && outside.clone().all(|exponent| subject.complete(exponent, wanted) == wanted) {
+        if unit.is_some() && outside.clone().all(|exponent| subject.complete(exponent, few) == few) {
             let outside: Vec<i32> = outside.collect();
             faults.push(format!("{}: is solved at {outside:?}, too; widen its range", subject.case.name));
         }
