@@ -59,8 +59,8 @@ pub(super) struct Times {
 
 impl Times {
     /// From the measured times: the residual of a point, which begins with the coefficients; the
-    /// action matrix, which begins with them, too; the same with its eigenvalues, or nothing; `solve`
-    /// without second attempts; all of it; its percentile; the solutions.
+    /// action matrix, which begins with them, too; the same with its eigenvalues, or nothing;
+    /// `solve` without second attempts; all of it; its percentile; the solutions.
     fn of([residual, matrix, spectrum, attempt, total, p99, found]: [f64; 7]) -> Self {
         let after = |end: f64, start: f64| (end - start).max(0.0);
         Self {
