@@ -21,13 +21,17 @@ fn fundamental_7pt(first: [[f64; 2]; 7], second: [[f64; 2]; 7]) -> (#[projective
     let f = weights[0] * basis[0] + weights[1] * basis[1];
     det(f) == 0;
     let to_unit = [[1, 0, 0], [0, 1, 0], [0, 0, unit]];
-    Epipolar { fundamental: to_unit * f * to_unit }
+    Epipolar { #[projective] fundamental: to_unit * f * to_unit }
 }
 
 /// Two cameras that look from about 4 away at points in a cube of side 2, from any sides.
-/// The fundamental matrix is known up to scale only.
 #[scene]
-fn scene(#[rotation] rotation: [[f64; 3]; 3], shift: [f64; 3], zooms: [f64; 2], points: [[f64; 3]; 7]) -> Data {
+fn scene(
+    #[rotation] rotation: [[f64; 3]; 3],
+    shift: [f64; 3],
+    zooms: [f64; 2],
+    points: [[f64; 3]; 7],
+) -> (Data, Epipolar) {
     let centre = [0, 0, 4];
     let [f, g] = [3 / 2 + zooms[0] / 2, 3 / 2 + zooms[1] / 2];
     let [mut first, mut second] = [[[0; 2]; 7], [[0; 2]; 7]];
@@ -37,5 +41,9 @@ fn scene(#[rotation] rotation: [[f64; 3]; 3], shift: [f64; 3], zooms: [f64; 2], 
         let [x, y, depth] = rotation * points[k] + centre + shift;
         second[k] = g * [x, y] / depth;
     }
-    Data { first, second }
+    let essential = skew(centre + shift - rotation * centre) * rotation;
+    let of_first = [[1, 0, 0], [0, 1, 0], [0, 0, f]];
+    let of_second = [[1, 0, 0], [0, 1, 0], [0, 0, g]];
+    let fundamental = of_second * essential * of_first;
+    (Data { first, second }, Epipolar { fundamental })
 }

@@ -32,7 +32,7 @@ fn fundamental_8pt_radial(first: [[f64; 2]; 8], second: [[f64; 2]; 8]) -> (radia
     // These follow, and have a lower degree than the products that they follow from.
     det([upper[0], upper[1], [radial_f31, radial_f32, radial * z]]) == 0;
     radial_f31 * f32 == radial_f32 * f31;
-    RadialEpipolar { fundamental: [upper[0], upper[1], [f31, f32, z]], radial: radial }
+    RadialEpipolar { #[projective] fundamental: [upper[0], upper[1], [f31, f32, z]], radial: radial }
 }
 
 /// Two cameras that look from about 4 away at points in a cube of side 2, from any sides, and bend
@@ -56,7 +56,11 @@ fn scene(
         let [x, y, depth] = rotation * points[k] + centre + shift;
         second[k] = distorted(g * [x, y] / depth, radial);
     }
-    (Data { first, second }, RadialEpipolar { radial })
+    let essential = skew(centre + shift - rotation * centre) * rotation;
+    let of_first = [[1, 0, 0], [0, 1, 0], [0, 0, f]];
+    let of_second = [[1, 0, 0], [0, 1, 0], [0, 0, g]];
+    let fundamental = of_second * essential * of_first;
+    (Data { first, second }, RadialEpipolar { fundamental, radial })
 }
 
 /// The image p of which p / (1 + radial |p|^2) is given.

@@ -29,7 +29,7 @@ fn fundamental_8pt_radial_one_side(first: [[f64; 2]; 8], second: [[f64; 2]; 8]) 
     radial * f_31 == radial_f31;
     radial == radial_f32;
     det(own) == 0;
-    RadialEpipolar { fundamental: own * [[cos, sin, 0], [-sin, cos, 0], [0, 0, 1]], radial: radial }
+    RadialEpipolar { #[projective] fundamental: own * [[cos, sin, 0], [-sin, cos, 0], [0, 0, 1]], radial: radial }
 }
 
 /// Cosine and sine of the angle by which the image is turned.
@@ -55,7 +55,11 @@ fn scene(
         let [x, y, depth] = rotation * points[k] + centre + shift;
         second[k] = distorted(g * [x, y] / depth, radial);
     }
-    (Data { first, second }, RadialEpipolar { radial })
+    let essential = skew(centre + shift - rotation * centre) * rotation;
+    let of_first = [[1, 0, 0], [0, 1, 0], [0, 0, f]];
+    let of_second = [[1, 0, 0], [0, 1, 0], [0, 0, g]];
+    let fundamental = of_second * essential * of_first;
+    (Data { first, second }, RadialEpipolar { fundamental, radial })
 }
 
 /// The image p of which p / (1 + radial |p|^2) is given.

@@ -38,7 +38,7 @@ fn fundamental_9pt_two_radials(first: [[f64; 2]; 9], second: [[f64; 2]; 9]) -> (
     t_f33 * f13 == t_f13 * f_33;
     s_t_f33 * f13 == s * t_f13 * f_33;
     s * t * f_33 == s_t_f33;
-    RadialEpipolar { fundamental: [[cos, -sin, 0], [sin, cos, 0], [0, 0, 1]] * own, radials: [t, s] }
+    RadialEpipolar { #[projective] fundamental: [[cos, -sin, 0], [sin, cos, 0], [0, 0, 1]] * own, radials: [t, s] }
 }
 
 /// Cosine and sine of the angle by which the second image is turned.
@@ -64,7 +64,11 @@ fn scene(
         let [x, y, depth] = rotation * points[k] + centre + shift;
         second[k] = distorted(g * [x, y] / depth, radials[1]);
     }
-    (Data { first, second }, RadialEpipolar { radials })
+    let essential = skew(centre + shift - rotation * centre) * rotation;
+    let of_first = [[1, 0, 0], [0, 1, 0], [0, 0, f]];
+    let of_second = [[1, 0, 0], [0, 1, 0], [0, 0, g]];
+    let fundamental = of_second * essential * of_first;
+    (Data { first, second }, RadialEpipolar { fundamental, radials })
 }
 
 /// The image p of which p / (1 + radial |p|^2) is given.

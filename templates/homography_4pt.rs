@@ -23,7 +23,7 @@ fn homography_4pt(first: [[f64; 2]; 4], second: [[f64; 2]; 4]) -> (
     let matrix = to * ([[m0, 0, 0], [0, m1, 0], [0, 0, m2]] * from);
     let to_unit = [[1, 0, 0], [0, 1, 0], [0, 0, unit]];
     let from_unit = [[unit, 0, 0], [0, unit, 0], [0, 0, 1]];
-    Homography { homography: from_unit * matrix * to_unit }
+    Homography { #[projective] homography: from_unit * matrix * to_unit }
 }
 
 /// The first three points, in the columns.
@@ -35,15 +35,14 @@ fn in_units(image: [f64; 2], unit: f64) -> [f64; 3] {
     [image[0], image[1], unit]
 }
 
-/// Two cameras that look from about 4 away at points of a plane. The homography is known up to
-/// scale only.
+/// Two cameras that look from about 4 away at points of a plane.
 #[scene]
 fn scene(
     #[rotation] rotation: [[f64; 3]; 3],
     shift: [f64; 3],
     #[rotation] plane: [[f64; 3]; 3],
     points: [[f64; 2]; 4],
-) -> Data {
+) -> (Data, Homography) {
     let centre = [0, 0, 4];
     let [mut first, mut second] = [[[0; 2]; 4], [[0; 2]; 4]];
     for k in 0..4 {
@@ -53,5 +52,9 @@ fn scene(
         let [x, y, depth] = rotation * point + centre + shift;
         second[k] = [x, y] / depth;
     }
-    Data { first, second }
+    // (a, b, 1) of the plane, with its axes as columns, to either image.
+    let [u, v, _] = plane.t();
+    let from = [u, v, centre].t();
+    let to = [rotation * u, rotation * v, centre + shift].t();
+    (Data { first, second }, Homography { homography: to * inverse(from) })
 }

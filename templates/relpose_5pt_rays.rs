@@ -23,7 +23,7 @@ fn relpose_5pt_rays(first: [[f64; 3]; 5], second: [[f64; 3]; 5]) -> (#[projectiv
     det(e) == 0;
     2 * e * e.t() * e - trace(e * e.t()) * e == 0;
     RelativePose {
-        essential: e,
+        #[projective] essential: e,
         rotation: rotation_of(e, first[0], second[0]),
         translation: translation_of(e, first[0], second[0]),
     }
@@ -111,5 +111,6 @@ fn scene(
         second[k] = normalise(rotation * points[k] + centre + shift);
     }
     let translation = normalise(centre + shift - rotation * centre);
-    (Data { first, second }, RelativePose { rotation, translation })
+    let essential = skew(translation) * rotation;
+    (Data { first, second }, RelativePose { essential, rotation, translation })
 }

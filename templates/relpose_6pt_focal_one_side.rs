@@ -29,7 +29,7 @@ fn relpose_6pt_focal_one_side(first: [[f64; 2]; 6], second: [[f64; 3]; 6]) -> (#
     2 * left * f - trace(left) * f == 0;
     w > 0;
     let to_unit = [[1, 0, 0], [0, 1, 0], [0, 0, unit]];
-    FocalPose { fundamental: f * to_unit, focal: sqrt(unit * unit / w) }
+    FocalPose { #[projective] fundamental: f * to_unit, focal: sqrt(unit * unit / w) }
 }
 
 /// Two cameras that look from about 4 away at points in a cube of side 2, from any sides.
@@ -50,5 +50,6 @@ fn scene(
         let [x, y, depth] = rotation * points[k] + centre + shift;
         second[k] = [x, y, depth];
     }
-    (Data { first, second }, FocalPose { focal })
+    let essential = skew(centre + shift - rotation * centre) * rotation;
+    (Data { first, second }, FocalPose { fundamental: essential * [[1, 0, 0], [0, 1, 0], [0, 0, focal]], focal })
 }

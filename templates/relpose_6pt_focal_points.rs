@@ -32,7 +32,7 @@ fn relpose_6pt_focal_points(first: [[f64; 2]; 6], second: [[f64; 2]; 6]) -> (#[p
     let to_unit = [[1, 0, 0], [0, 1, 0], [0, 0, unit]];
     let [x, y] = [[first[0][0], first[0][1], unit], [second[0][0], second[0][1], unit]];
     FocalPose {
-        fundamental: to_unit * f * to_unit,
+        #[projective] fundamental: to_unit * f * to_unit,
         focal: sqrt(unit * unit / w),
         rotation: rotation_of(f, x, y, sqrt(w)) / square_of_baseline(essential(f, sqrt(w))),
         translation: translation_of(f, x, y, sqrt(w)),
@@ -149,5 +149,7 @@ fn scene(
         second[k] = focal * [x, y] / depth;
     }
     let translation = normalise(centre + shift - rotation * centre);
-    (Data { first, second }, FocalPose { focal, rotation, translation })
+    let inverse_calibration = [[1, 0, 0], [0, 1, 0], [0, 0, focal]];
+    let fundamental = inverse_calibration * skew(translation) * rotation * inverse_calibration;
+    (Data { first, second }, FocalPose { fundamental, focal, rotation, translation })
 }

@@ -39,7 +39,7 @@ fn relpose_6pt_radial(first: [[f64; 2]; 6], second: [[f64; 2]; 6]) -> (e_13, e_3
     2 * e * e.t() * e == trace(e * e.t()) * e;
 
     let essential = about_axis([cos, sin]) * e * about_axis(turn).t();
-    RadialPose { essential: exchange * essential + (1 - exchange) * essential.t(), radial: radial }
+    RadialPose { #[projective] essential: exchange * essential + (1 - exchange) * essential.t(), radial: radial }
 }
 
 /// Cosine and sine of the angles by which an image is turned, of a half circle about every eighth.
@@ -86,7 +86,8 @@ fn scene(
         let [x, y, depth] = rotation * points[k] + centre + shift;
         second[k] = distorted([x, y] / depth, radial);
     }
-    (Data { first, second }, RadialPose { radial })
+    let essential = skew(centre + shift - rotation * centre) * rotation;
+    (Data { first, second }, RadialPose { essential, radial })
 }
 
 /// The image p of which p / (1 + radial |p|^2) is given.

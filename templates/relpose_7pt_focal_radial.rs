@@ -119,7 +119,7 @@ fn relpose_7pt_focal_radial(first: [[f64; 2]; 7], second: [[f64; 2]; 7]) -> (w, 
     ];
     let fundamental = about_axis([cos, sin]) * whole * about_axis(turn).t();
     RadialFocalPose {
-        fundamental: exchange * fundamental + (1 - exchange) * fundamental.t(),
+        #[projective] fundamental: exchange * fundamental + (1 - exchange) * fundamental.t(),
         focal: sqrt(1 / w),
         radial: radial / unit,
     }
@@ -176,7 +176,10 @@ fn scene(
         let [x, y, depth] = rotation * points[k] + centre + shift;
         second[k] = distorted(focal * [x, y] / depth, radial);
     }
-    (Data { first, second }, RadialFocalPose { focal, radial })
+    let essential = skew(centre + shift - rotation * centre) * rotation;
+    let inverse_calibration = [[1, 0, 0], [0, 1, 0], [0, 0, focal]];
+    let fundamental = inverse_calibration * essential * inverse_calibration;
+    (Data { first, second }, RadialFocalPose { fundamental, focal, radial })
 }
 
 /// The image p of which p / (1 + radial |p|^2) is given.

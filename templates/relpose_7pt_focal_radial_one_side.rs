@@ -37,7 +37,7 @@ fn relpose_7pt_focal_radial_one_side(first: [[f64; 2]; 7], second: [[f64; 2]; 7]
     det(f) == 0;
     2 * left * f == trace(left) * f;
     w > 0;
-    RadialFocalPose { fundamental: f.t(), focal: sqrt(1 / w), radial: radial }
+    RadialFocalPose { #[projective] fundamental: f.t(), focal: sqrt(1 / w), radial: radial }
 }
 
 /// Two cameras that look from about 4 away at points in a cube of side 2, from any sides.
@@ -60,7 +60,9 @@ fn scene(
         let [x, y, depth] = rotation * points[k] + centre + shift;
         second[k] = [x, y] / depth;
     }
-    (Data { first, second }, RadialFocalPose { focal, radial })
+    let essential = skew(centre + shift - rotation * centre) * rotation;
+    let fundamental = essential * [[1, 0, 0], [0, 1, 0], [0, 0, focal]];
+    (Data { first, second }, RadialFocalPose { fundamental, focal, radial })
 }
 
 /// The image p of which p / (1 + radial |p|^2) is given.

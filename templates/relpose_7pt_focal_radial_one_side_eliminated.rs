@@ -34,7 +34,7 @@ fn relpose_7pt_focal_radial_one_side_eliminated(first: [[f64; 2]; 7], second: [[
     radial * third[2] == radial_f33;
     det(fundamental) == 0;
     cross(third, left * left.t() * third) == 0;
-    RadialEpipolar { fundamental: fundamental, radial: radial }
+    RadialEpipolar { #[projective] fundamental: fundamental, radial: radial }
 }
 
 /// Two cameras that look from about 4 away at points in a cube of side 2, from any sides.
@@ -57,7 +57,9 @@ fn scene(
         let [x, y, depth] = rotation * points[k] + centre + shift;
         second[k] = [x, y] / depth;
     }
-    (Data { first, second }, RadialEpipolar { radial })
+    let essential = skew(centre + shift - rotation * centre) * rotation;
+    let fundamental = essential * [[1, 0, 0], [0, 1, 0], [0, 0, focal]];
+    (Data { first, second }, RadialEpipolar { fundamental, radial })
 }
 
 /// The image p of which p / (1 + radial |p|^2) is given.

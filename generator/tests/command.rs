@@ -145,6 +145,41 @@ fn check_reports_what_can_be_eliminated() {
 }
 
 #[test]
+fn check_says_whether_a_scene_is_right() {
+    let folder = folder("check_says_whether_a_scene_is_right");
+    let scene_line = |name: &str, scene: &str| {
+        let problem = "fn on_a_line(a: [f64; 2]) -> (#[projective] v: [f64; 2], s) {
+            dot(a, v) == 0;
+            s * s == dot(a, a);
+            s > 0;
+            Square { square: s * s }
+        }";
+        fs::write(folder.join(name), format!("{problem}\n{scene}")).unwrap();
+        let output = eliminant(&folder, &["check", name]);
+        assert_eq!(status(&output), 0, "{}", stderr(&output));
+        let text = stdout(&output);
+        text.lines().find_map(|line| line.strip_prefix("scene      ")).map(str::to_owned)
+    };
+    let of = |result: &str| {
+        let returned = result.split([' ', '{']).next().unwrap();
+        format!("#[scene]\nfn scene(a: [f64; 2]) -> (Data, {returned}) {{ (Data {{ a }}, {result}) }}")
+    };
+    assert_eq!(scene_line("without.rs", ""), None);
+    let right = scene_line("right.rs", &of("Solution { v: [-3 * a[1], 3 * a[0]], s: norm(a) }")).unwrap();
+    assert_eq!(right, "the solution of 200 drawn ones solves the equations");
+    for (name, wrong) in [("first.rs", "v: [a[1], a[0]], s: norm(a)"), ("second.rs", "v: [-a[1], a[0]], s: -norm(a)")] {
+        let wrong = scene_line(name, &of(&format!("Solution {{ {wrong} }}"))).unwrap();
+        assert_eq!(wrong, "wrong: the solution of only 0 of 200 solves the equations");
+    }
+    let results = scene_line("results.rs", &of("Square { square: dot(a, a) }")).unwrap();
+    assert!(results.starts_with("states results"), "{results}");
+    let data = "#[scene]\nfn scene(a: [f64; 2]) -> Data { Data { a } }";
+    assert!(scene_line("data.rs", data).unwrap().starts_with("states data alone"));
+    let never = "#[scene]\nfn scene(a: [f64; 2]) -> Data { a[0] > 3; Data { a } }";
+    assert!(scene_line("never.rs", never).unwrap().starts_with("only 0 of 200 could be drawn"));
+}
+
+#[test]
 fn search_reports_and_writes_the_same_bytes_again() {
     let folder = two_conics("search_reports_and_writes_the_same_bytes_again");
     let report = json(&folder, &["search", "two_conics.rs", "--trials", "50"]);

@@ -322,7 +322,10 @@ fn row_of_output(output: &Output) -> Row {
         name: output.name.clone(),
         suffix: format!("_for_{}", output.function),
         what: output.function.clone(),
-        fields: fields(output.fields.iter().map(|field| (&field.name, (&field.shape, field.is_complex), ""))),
+        fields: fields(output.fields.iter().map(|field| {
+            let note = if field.is_projective { "given up to scale" } else { "" };
+            (&field.name, (&field.shape, field.is_complex), note)
+        })),
     }
 }
 

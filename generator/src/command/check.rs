@@ -18,6 +18,8 @@ use crate::presolve::exchange::exchanged;
 use crate::presolve::symmetry::Symmetry;
 use crate::presolve::{Presolve, presolve};
 use crate::problem::Problem;
+use crate::problem::scene::Scene;
+use crate::search::measuring::scene_check::SceneCheck;
 
 /// Read a problem and count its solutions for general data
 #[derive(clap::Args, Debug)]
@@ -56,8 +58,26 @@ struct ProblemReport {
     /// Whether solutions share values of every unknown.
     shares_values: bool,
     presolve: Vec<PresolvedForm>,
+    scene: Option<SceneReport>,
     seconds: f64,
 }
+
+/// What the scene says, and whether it is right.
+#[derive(Serialize)]
+struct SceneReport {
+    /// Number of scenes that were tried.
+    tried: usize,
+    /// Those that could be drawn.
+    drawn: usize,
+    /// What it says beside the data: `nothing`, `solution` or `results`.
+    states: &'static str,
+    /// Those whose solution solves the equations; `None` if it states no solution.
+    solved: Option<usize>,
+}
+
+/// Number and seed of the scenes that are tried.
+const SCENES: usize = 200;
+const SEED_OF_SCENES: u64 = 1;
 
 /// What one way to presolve leaves.
 #[derive(Serialize)]
@@ -95,8 +115,38 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
         zero_sets: names(&problem, &count.zero_sets),
         shares_values: count.shares_values,
         presolve: forms(&problem),
+        scene: problem.scene.as_ref().map(|scene| SceneReport::of(&problem, scene)),
         seconds: start.elapsed().as_secs_f64(),
     }))
+}
+
+impl SceneReport {
+    fn of(problem: &Problem, scene: &Scene) -> Self {
+        let SceneCheck { drawn, solved } = SceneCheck::of(problem, scene, SCENES, SEED_OF_SCENES);
+        let states = match (scene.states_solution(), scene.has_truth()) {
+            (true, _) => "solution",
+            (_, true) => "results",
+            _ => "nothing",
+        };
+        Self { tried: SCENES, drawn, states, solved }
+    }
+}
+
+impl fmt::Display for SceneReport {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { tried, drawn, states, solved } = self;
+        match (drawn < tried, states, solved) {
+            (true, ..) => {
+                write!(f, "only {drawn} of {tried} could be drawn: inequalities fail, or a value does not exist")
+            }
+            (_, _, Some(solved)) if solved == drawn => {
+                write!(f, "the solution of {drawn} drawn ones solves the equations")
+            }
+            (_, _, Some(solved)) => write!(f, "wrong: the solution of only {solved} of {drawn} solves the equations"),
+            (_, &"results", _) => write!(f, "states results, which a search compares with those of solutions"),
+            _ => write!(f, "states data alone, and nothing of what solves them"),
+        }
+    }
 }
 
 fn degrees(problem: &Problem) -> Vec<i32> {
@@ -201,6 +251,9 @@ impl fmt::Display for ProblemReport {
         if !self.exchanged.is_empty() {
             let pairs: Vec<String> = self.exchanged.iter().map(|pair| pair.join(" and ")).collect();
             writeln!(f, "symmetry   exchanging {} gives another solution", pairs.join(", "))?;
+        }
+        if let Some(scene) = &self.scene {
+            writeln!(f, "scene      {scene}")?;
         }
         writeln!(f, "time       {}", seconds(self.seconds))
     }

@@ -19,7 +19,10 @@ pub(super) fn output(plan: &Plan) -> TokenStream {
         let (field, ty) = (format_ident!("{name}"), type_of(quote!(T), shape, *is_complex));
         quote!(pub #field: #ty)
     });
-    let field_docs = output.fields.iter().map(|field| format!(" The output `{}` of the problem.", field.name));
+    let field_docs = output.fields.iter().map(|field| {
+        let up_to_scale = if field.is_projective { ", which is given up to scale" } else { "" };
+        format!(" The output `{}` of the problem{up_to_scale}.", field.name)
+    });
     let doc = format!(" What `{}` returns beside its unknowns.", plan.name);
     let known = plan.unknowns.len() + plan.fields.iter().filter(|field| field.is_projective).count();
     let (values, variables) = (values(output, known), variables(plan, known + output.parts.len()));

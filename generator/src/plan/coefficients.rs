@@ -70,6 +70,7 @@ pub(super) fn planned_output(problem: &Problem, output: &Output) -> PlannedOutpu
         name: field.name.clone(),
         shape: field.shape.clone(),
         is_complex: field.is_complex,
+        is_projective: field.is_projective,
         elements: field.elements.iter().map(&mut planned).collect(),
     });
     let fields = fields.collect();

@@ -30,6 +30,8 @@ pub struct PlannedField {
     pub shape: Vec<usize>,
     /// Whether it is complex: real parts, each with its imaginary part behind it.
     pub is_complex: bool,
+    /// Whether any multiple says the same.
+    pub is_projective: bool,
     /// Its scalars, row by row.
     pub elements: Vec<PlannedElement>,
 }

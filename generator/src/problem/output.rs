@@ -32,6 +32,8 @@ pub struct OutputField {
     pub shape: Vec<usize>,
     /// Whether it is complex: real parts, each with its imaginary part behind it.
     pub is_complex: bool,
+    /// `#[projective]`: any multiple says the same.
+    pub is_projective: bool,
     /// Its scalars, row by row.
     pub elements: Vec<OutputElement>,
 }

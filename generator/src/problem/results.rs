@@ -1,7 +1,7 @@
 //! Statements about results: the struct that a problem returns, and inequalities that its solutions
 //! satisfy.
 
-use syn::{BinOp, Expr, ExprBinary, ExprStruct, Member};
+use syn::{Attribute, BinOp, Expr, ExprBinary, ExprStruct, FieldValue, Member, Meta};
 
 use super::Statement;
 use super::functions::BUILT_IN;
@@ -67,12 +67,30 @@ impl Interpreter<'_> {
                 self.report(Diagnostic::new(format!("the field `{ident}` is listed twice"), place(ident)));
                 continue;
             }
+            let Ok(is_projective) = self.is_up_to_scale(field) else { continue };
             if let Ok(OutputValue { shape, is_complex, elements }) = self.output_elements(&field.expr) {
-                fields.push(OutputField { name: ident.to_string(), shape, is_complex, elements });
+                if is_projective && (is_complex || shape.is_empty()) {
+                    let diagnostic = Diagnostic::new("this field cannot be given up to scale", place(&field.expr));
+                    self.report(diagnostic.label("expected an array of real numbers"));
+                }
+                fields.push(OutputField { name: ident.to_string(), shape, is_complex, is_projective, elements });
             }
         }
         let (function, parts) = (snake_case(&name), self.parts.take().unwrap_or_default());
         self.output = Some(Output { name, function, parts, fields, span });
+    }
+
+    /// Whether a field is marked as one of which any multiple says the same.
+    fn is_up_to_scale(&mut self, field: &FieldValue) -> Outcome<bool> {
+        let is_known =
+            |attribute: &&Attribute| matches!(&attribute.meta, Meta::Path(path) if path.is_ident("projective"));
+        match field.attrs.iter().find(|attribute| !is_known(attribute)) {
+            None => Ok(!field.attrs.is_empty()),
+            Some(attribute) => {
+                let diagnostic = Diagnostic::new("this attribute has no meaning here", place(attribute));
+                Err(self.report(diagnostic.label("expected `#[projective]`, for a field that is given up to scale")))
+            }
+        }
     }
 
     fn name_of_output(&mut self, stated: &ExprStruct) -> Outcome<String> {

@@ -76,6 +76,11 @@ impl Scene {
         self.truth != Truth::Nothing
     }
 
+    /// Whether it says the values of all unknowns.
+    pub fn states_solution(&self) -> bool {
+        matches!(self.truth, Truth::Solution(_))
+    }
+
     /// The values of all its expressions at two points.
     fn values(&self) -> Vec<[u32; 2]> {
         [&self.data[..], &self.known(), &self.positive].concat().iter().map(|&id| self.graph.fingerprint(id)).collect()

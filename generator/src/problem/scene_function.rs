@@ -156,6 +156,11 @@ impl Interpreter<'_> {
                 outcome = Err(self.report(Diagnostic::new("fields have names", place(&field.member))));
                 continue;
             };
+            if let Some(attribute) = field.attrs.first() {
+                let diagnostic = Diagnostic::new("this attribute has no meaning in a scene", place(attribute));
+                outcome = Err(self.report(diagnostic.hint("that a field is given up to scale is said by the problem")));
+                continue;
+            }
             let name = ident.to_string();
             let Some(at) = names.clone().position(|known| known == name) else {
                 let message = format!("`{}` has no field `{name}`", expected.name);

@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 use crate::command::error::CommandError;
 use crate::command::files::{read_text, write};
 use crate::plan::Plan;
-use crate::search::measuring::results::{all, in_charts, is_among, results_of};
+use crate::search::measuring::results::{all, in_charts, is_among, is_among_results, results_of};
 
 /// Data of a problem, with what is known of them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -52,9 +52,9 @@ impl Instance {
         }
         let points: Vec<Vec<f64>> = real.iter().map(|point| point.iter().map(|x| x.re).collect()).collect();
         let results = if self.results.is_empty() { Vec::new() } else { results_of(plan, &self.data, &points) };
-        let missed = |found: &[Vec<f64>], known: &[Option<f64>]| usize::from(!is_among(found, known));
-        let of_solutions = self.solutions.iter().map(|known| missed(&points, &all(known)));
-        of_solutions.chain(self.results.iter().map(|known| missed(&results, known))).sum()
+        let of_solutions = self.solutions.iter().filter(|known| !is_among(&points, &all(known)));
+        let of_results = self.results.iter().filter(|known| !is_among_results(plan, results.clone(), known));
+        of_solutions.count() + of_results.count()
     }
 }
 

@@ -6,6 +6,7 @@ mod interpreted_chains;
 mod interpreted_elimination;
 mod interpreted_program;
 pub mod results;
+pub mod scene_check;
 
 use std::ops::Range;
 use std::sync::OnceLock;

@@ -21,7 +21,7 @@ pub(crate) fn all(known: &[f64]) -> Vec<Option<f64>> {
 pub fn has_known(plan: &Plan, points: &[Vec<f64>], scene: &DrawnScene) -> bool {
     match (&scene.solution, &scene.results) {
         (Some(known), _) => in_charts(plan, known).is_ok_and(|known| is_among(points, &all(&known))),
-        (_, Some(known)) => is_among(&results_of(plan, &scene.data, points), known),
+        (_, Some(known)) => is_among_results(plan, results_of(plan, &scene.data, points), known),
         _ => true,
     }
 }
@@ -39,6 +39,33 @@ pub(crate) fn is_among(returned: &[Vec<f64>], known: &[Option<f64>]) -> bool {
     returned.iter().any(|point| norm(&mut point.iter().zip(known).map(error)) <= FOUND * size)
 }
 
+/// As [`is_among`] for what a problem returns. A field that is given up to scale counts with length
+/// 1, and of a returned one the multiple that is nearest to the known one.
+pub(crate) fn is_among_results(plan: &Plan, mut returned: Vec<Vec<f64>>, known: &[Option<f64>]) -> bool {
+    let (mut known, mut start) = (known.to_vec(), 0);
+    for field in plan.output.iter().flat_map(|output| &output.fields) {
+        let place = start..start + field.elements.len();
+        start = place.end;
+        let stated: Vec<f64> = known[place.clone()].iter().copied().flatten().collect();
+        if !field.is_projective || stated.len() < place.len() {
+            continue;
+        }
+        let norm = dot(&stated, &stated).sqrt();
+        let unit: Vec<f64> = stated.iter().map(|x| x / norm).collect();
+        for results in &mut returned {
+            let values = &mut results[place.clone()];
+            let scale = dot(values, &unit) / dot(values, values);
+            values.iter_mut().for_each(|x| *x *= scale);
+        }
+        known[place].copy_from_slice(&all(&unit));
+    }
+    is_among(&returned, &known)
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
 /// A solution as a solver returns it, with vectors that are given up to scale in coordinates of
 /// their charts. One that is in coordinates already stays as it is.
 pub(crate) fn in_charts(plan: &Plan, solution: &[f64]) -> Result<Vec<f64>, String> {
@@ -46,19 +73,25 @@ pub(crate) fn in_charts(plan: &Plan, solution: &[f64]) -> Result<Vec<f64>, Strin
         return Ok(solution.to_vec());
     }
     let scalars: usize = plan.fields.iter().map(SolutionField::scalars).sum();
-    if solution.len() != scalars {
-        return Err(format!("a solution of `{}` has {scalars} numbers, not {}", plan.name, solution.len()));
+    match solution.len() == scalars {
+        true => Ok(coordinates(&plan.fields, solution)),
+        false => Err(format!("a solution of `{}` has {scalars} numbers, not {}", plan.name, solution.len())),
     }
-    let (mut unknowns, mut rest) = (vec![0.0; plan.unknowns.len()], solution);
-    for field in &plan.fields {
+}
+
+/// The unknowns of a solution of which all scalars are given.
+pub(super) fn coordinates(fields: &[SolutionField], solution: &[f64]) -> Vec<f64> {
+    let (mut unknowns, mut rest) = (Vec::new(), solution);
+    for field in fields {
         let (values, others) = rest.split_at(field.scalars());
         rest = others;
-        match field.chart() {
-            Some(chart) => to_chart(&chart, values, &mut unknowns[field.unknowns()]),
-            None => unknowns[field.unknowns()].copy_from_slice(values),
+        let start = unknowns.len();
+        unknowns.extend(&values[..field.unknowns().len()]);
+        if let Some(chart) = field.chart() {
+            to_chart(&chart, values, &mut unknowns[start..]);
         }
     }
-    Ok(unknowns)
+    unknowns
 }
 
 /// The scalars of all fields of a solution: vectors that are given up to scale have length 1.

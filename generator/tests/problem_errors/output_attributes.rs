@@ -1,0 +1,15 @@
+fn outputs(a: f64, b: f64) -> (x, y) {
+    x * y == a;
+    x == y * b;
+    Pose {
+        #[unit] direction: [x, y],
+        #[projective] length: x,
+        #[projective] pair: [complex(x, y), complex(y, x)],
+        #[projective] #[rotation] line: [x, y],
+    }
+}
+
+#[scene]
+fn scene(x: f64, y: f64) -> (Data, Pose) {
+    (Data { a: x * y, b: x / y }, Pose { #[projective] direction: [x, y] })
+}
