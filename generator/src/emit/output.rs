@@ -129,7 +129,7 @@ fn coefficients_of(plan: &Plan, instance: &Ident) -> TokenStream {
 /// known.
 fn values(output: &PlannedOutput, known: usize) -> TokenStream {
     let name = format_ident!("{}", output.name);
-    let fields = output.fields.iter().map(|PlannedField { name, shape, is_complex, elements }| {
+    let fields = output.fields.iter().map(|PlannedField { name, shape, is_complex, elements, .. }| {
         let (field, elements) = (format_ident!("{name}"), elements.iter().map(element).collect::<Vec<_>>());
         let value = value_of(shape, *is_complex, &elements);
         quote!(#field: #value)
