@@ -236,7 +236,7 @@ impl<'a, S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'a, S, N, E, Y>
             *x = moved;
             // After a long step one more is taken: it stays near x if the solution is badly
             // determined, and leads away if there is no solution.
-            if best <= ROUNDING && !self.is_far(x, &last.correction).as_ref().contains(&true) {
+            if best <= ROUNDING && !self.is_far(x, &last).as_ref().contains(&true) {
                 break;
             }
         }
@@ -353,7 +353,7 @@ impl<'a, S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'a, S, N, E, Y>
                 return f64::INFINITY;
             }
         }
-        let far = self.is_far(x, &ended.step.correction);
+        let far = self.is_far(x, &ended.step);
         if !far.as_ref().contains(&true) {
             return best;
         }
@@ -366,13 +366,15 @@ impl<'a, S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'a, S, N, E, Y>
     }
 
     /// The unknowns that a step changes by more than the part [`FAR`], apart from rounding noise of
-    /// zero.
+    /// zero. Where errors of the equations are enlarged, so is that noise: a distortion of 0, of
+    /// which points tell little, may be 1e-11 in one step and -1e-11 in the next.
     #[inline]
-    fn is_far(&self, x: &N::Vector<S>, step: &N::Vector<S>) -> N::Vector<bool> {
-        let noise = NOISE * largest(x.as_ref());
+    fn is_far(&self, x: &N::Vector<S>, step: &Step<S, N>) -> N::Vector<bool> {
+        let size = largest(x.as_ref());
+        let noise = f64::max(NOISE * size, ROUNDING * step.enlargement.min(ILL_CONDITIONED * size));
         let mut far = self.unknowns.filled(false);
         for j in 0..self.unknowns.get() {
-            far[j] = step[j].magnitude() > FAR * x[j].magnitude() + noise;
+            far[j] = step.correction[j].magnitude() > FAR * x[j].magnitude() + noise;
         }
         far
     }
