@@ -270,6 +270,25 @@ fn an_unknown_that_is_zero_at_the_solution_does_not_hide_it() {
     }
 }
 
+/// Two conics that are nearly the same meet where y = 0: errors of the equations are enlarged, and y
+/// is known to 1e-11 or so only. From one step to the next all its digits change.
+#[test]
+fn a_zero_that_rounding_moves_is_a_solution() {
+    let mut random = Random::new(12);
+    for apart in [1e-3, 1e-4, 1e-5] {
+        for _ in 0..300 {
+            let truth = [random.symmetric(), 0.0];
+            let [mut c, other]: [[f64; 12]; 2] = std::array::from_fn(|_| through(&mut random, truth));
+            for k in 0..6 {
+                c[6 + k] = c[k] + apart * other[k];
+            }
+            let mut x = [truth[0] + 1e-9, 1e-9];
+            let residual = polish(&mut x, &TWO.bind(&c), 24);
+            assert!(residual <= 1e-14 && x[1].abs() < 1e-7, "{apart:e} apart: {residual:e} at {x:?}");
+        }
+    }
+}
+
 /// x^4 = 10 from where Newton's step is forty times too long.
 #[test]
 fn a_step_that_is_too_long_is_shortened() {
