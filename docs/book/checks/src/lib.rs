@@ -11,14 +11,12 @@ mod histograms;
 mod measured;
 mod pictures;
 mod reach;
-mod times;
 
 pub use accuracy::accuracy;
 pub use blocks::{Block, Mark, blocks};
 pub use comparison::comparison;
 pub use gallery::{Gallery, gallery};
-use reach::reach;
-use times::times;
+pub use reach::reach;
 
 /// The root of the project.
 #[must_use]
@@ -55,16 +53,6 @@ fn replaced(page: &str, marks: [&str; 2], part: &str) -> Option<String> {
     let (head, rest) = page.split_once(marks[0])?;
     let (_, tail) = rest.split_once(marks[1])?;
     Some(format!("{head}{}\n{part}\n{}{tail}", marks[0], marks[1]))
-}
-
-/// The page `speed.md` with the parts written anew that follow from the README, from the report of
-/// `eliminant bench` in `docs/book/times.json`, and from the tables of the catalogue.
-///
-/// # Errors
-/// A message, where a table or a row of one is missing.
-pub fn speed() -> Result<String, String> {
-    let page = reach(&file("README.md"), &page("speed.md"))?;
-    times(&file("docs/book/times.json"), &file("templates/README.md"), &page)
 }
 
 /// The command `eliminant`: the one that the variable ELIMINANT names, or that of the project,

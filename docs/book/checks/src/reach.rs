@@ -28,7 +28,7 @@ const AIMS: [(&str, f64); 11] = [
 ///
 /// # Errors
 /// A message, where a table or a row of one is missing.
-pub(crate) fn reach(readme: &str, page: &str) -> Result<String, String> {
+pub fn reach(readme: &str, page: &str) -> Result<String, String> {
     let (ratios, stages) = (column(readme, "ratio"), [column(page, "ours"), column(page, "operations")]);
     let mut table = "| case | aim | reached | at most | instructions, aim | today |\n\
                      |---|--:|--:|--:|--:|--:|\n"

@@ -1,11 +1,11 @@
 //! Writes what the book shows of the catalogue: the gallery with its pictures, and the tables of
 //! pages that follow from other tables: templates beside published ones, accuracy before and now,
-//! how far the aims of speed are, and the times of all solvers.
+//! and how far the aims of speed are.
 
 use std::fs;
 use std::process::ExitCode;
 
-use eliminant_book_checks::{Gallery, accuracy, comparison, file, gallery, page, page_path, root, speed};
+use eliminant_book_checks::{Gallery, accuracy, comparison, file, gallery, page, page_path, reach, root};
 
 fn main() -> ExitCode {
     match write_all() {
@@ -21,7 +21,7 @@ fn write_all() -> Result<(), String> {
     let text = |error: std::io::Error| error.to_string();
     fs::write(page_path("comparison.md"), comparison(&root())?).map_err(text)?;
     fs::write(page_path("accuracy.md"), accuracy(&file("templates/README.md"), &page("accuracy.md"))?).map_err(text)?;
-    fs::write(page_path("speed.md"), speed()?).map_err(text)?;
+    fs::write(page_path("speed.md"), reach(&file("README.md"), &page("speed.md"))?).map_err(text)?;
     write(&gallery(&root())?).map_err(text)
 }
 
