@@ -296,7 +296,7 @@ uint64_t eliminant_circle_minimal_second_attempt_operations(void);
  *
  * Data: first[7][2], second[7][2].
  * A row of 2 numbers, the unknowns: weights[2] (given up to scale: of length 1).
- * A row of 9 numbers, the result epipolar: fundamental[3][3].
+ * A row of 9 numbers, the result epipolar: fundamental[3][3] (given up to scale).
  */
 #define ELIMINANT_FUNDAMENTAL_7PT_FIRST_LENGTH 14
 #define ELIMINANT_FUNDAMENTAL_7PT_SECOND_LENGTH 14
@@ -345,7 +345,7 @@ uint64_t eliminant_fundamental_7pt_second_attempt_operations(void);
  *
  * Data: first[8][2], second[8][2].
  * A row of 2 numbers, the unknowns: weights[2] (given up to scale: of length 1).
- * A row of 9 numbers, the result epipolar: fundamental[3][3].
+ * A row of 9 numbers, the result epipolar: fundamental[3][3] (given up to scale).
  */
 #define ELIMINANT_FUNDAMENTAL_8PT_FIRST_LENGTH 16
 #define ELIMINANT_FUNDAMENTAL_8PT_SECOND_LENGTH 16
@@ -400,7 +400,7 @@ uint64_t eliminant_fundamental_8pt_second_attempt_operations(void);
  *
  * Data: first[8][2], second[8][2].
  * A row of 4 numbers, the unknowns: radial, third[3] (given up to scale: of length 1).
- * A row of 10 numbers, the result radial_epipolar: fundamental[3][3], radial.
+ * A row of 10 numbers, the result radial_epipolar: fundamental[3][3] (given up to scale), radial.
  */
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_FIRST_LENGTH 16
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_SECOND_LENGTH 16
@@ -454,7 +454,7 @@ uint64_t eliminant_fundamental_8pt_radial_second_attempt_operations(void);
  *
  * Data: first[8][2], second[8][2].
  * A row of 3 numbers, the unknowns: f_31, f_33, radial.
- * A row of 10 numbers, the result radial_epipolar: fundamental[3][3], radial.
+ * A row of 10 numbers, the result radial_epipolar: fundamental[3][3] (given up to scale), radial.
  */
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_FIRST_LENGTH 16
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_SECOND_LENGTH 16
@@ -509,7 +509,8 @@ uint64_t eliminant_fundamental_8pt_radial_one_side_second_attempt_operations(voi
  *
  * Data: first[9][2], second[9][2].
  * A row of 4 numbers, the unknowns: s, f_31, f_32, f_33.
- * A row of 11 numbers, the result radial_epipolar: fundamental[3][3], radials[2].
+ * A row of 11 numbers, the result radial_epipolar: fundamental[3][3] (given up to scale),
+ *   radials[2].
  */
 #define ELIMINANT_FUNDAMENTAL_9PT_TWO_RADIALS_FIRST_LENGTH 18
 #define ELIMINANT_FUNDAMENTAL_9PT_TWO_RADIALS_SECOND_LENGTH 18
@@ -561,7 +562,7 @@ uint64_t eliminant_fundamental_9pt_two_radials_second_attempt_operations(void);
  *
  * Data: first[4][2], second[4][2].
  * A row of 3 numbers, the unknowns: multiples[3] (given up to scale: of length 1).
- * A row of 9 numbers, the result homography: homography[3][3].
+ * A row of 9 numbers, the result homography: homography[3][3] (given up to scale).
  */
 #define ELIMINANT_HOMOGRAPHY_4PT_FIRST_LENGTH 8
 #define ELIMINANT_HOMOGRAPHY_4PT_SECOND_LENGTH 8
@@ -2225,7 +2226,8 @@ uint64_t eliminant_relpose_5pt_generalized_angle_second_attempt_operations(void)
  *
  * Data: first[5][3], second[5][3].
  * A row of 4 numbers, the unknowns: weights[4] (given up to scale: of length 1).
- * A row of 21 numbers, the result relative_pose: essential[3][3], rotation[3][3], translation[3].
+ * A row of 21 numbers, the result relative_pose: essential[3][3] (given up to scale),
+ *   rotation[3][3], translation[3].
  */
 #define ELIMINANT_RELPOSE_5PT_RAYS_FIRST_LENGTH 15
 #define ELIMINANT_RELPOSE_5PT_RAYS_SECOND_LENGTH 15
@@ -2389,7 +2391,7 @@ uint64_t eliminant_relpose_6pt_focal_second_attempt_operations(void);
  *
  * Data: first[6][2], second[6][3].
  * A row of 4 numbers, the unknowns: weights[3] (given up to scale: of length 1), w.
- * A row of 10 numbers, the result focal_pose: fundamental[3][3], focal.
+ * A row of 10 numbers, the result focal_pose: fundamental[3][3] (given up to scale), focal.
  */
 #define ELIMINANT_RELPOSE_6PT_FOCAL_ONE_SIDE_FIRST_LENGTH 12
 #define ELIMINANT_RELPOSE_6PT_FOCAL_ONE_SIDE_SECOND_LENGTH 18
@@ -2442,8 +2444,8 @@ uint64_t eliminant_relpose_6pt_focal_one_side_second_attempt_operations(void);
  *
  * Data: first[6][2], second[6][2].
  * A row of 4 numbers, the unknowns: weights[3] (given up to scale: of length 1), w.
- * A row of 22 numbers, the result focal_pose: fundamental[3][3], focal, rotation[3][3],
- *   translation[3].
+ * A row of 22 numbers, the result focal_pose: fundamental[3][3] (given up to scale), focal,
+ *   rotation[3][3], translation[3].
  */
 #define ELIMINANT_RELPOSE_6PT_FOCAL_POINTS_FIRST_LENGTH 12
 #define ELIMINANT_RELPOSE_6PT_FOCAL_POINTS_SECOND_LENGTH 12
@@ -2553,7 +2555,7 @@ uint64_t eliminant_relpose_6pt_generalized_second_attempt_operations(void);
  *
  * Data: first[6][2], second[6][2].
  * A row of 4 numbers, the unknowns: e_13, e_32, e_33, radial.
- * A row of 10 numbers, the result radial_pose: essential[3][3], radial.
+ * A row of 10 numbers, the result radial_pose: essential[3][3] (given up to scale), radial.
  */
 #define ELIMINANT_RELPOSE_6PT_RADIAL_FIRST_LENGTH 12
 #define ELIMINANT_RELPOSE_6PT_RADIAL_SECOND_LENGTH 12
@@ -2671,7 +2673,8 @@ uint64_t eliminant_relpose_7pt_angle_focal_centre_second_attempt_operations(void
  *
  * Data: first[7][2], second[7][2].
  * A row of 5 numbers, the unknowns: w, f_32, f_13, f_23, radial.
- * A row of 11 numbers, the result radial_focal_pose: fundamental[3][3], focal, radial.
+ * A row of 11 numbers, the result radial_focal_pose: fundamental[3][3] (given up to scale), focal,
+ *   radial.
  */
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_FIRST_LENGTH 14
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_SECOND_LENGTH 14
@@ -2728,7 +2731,8 @@ uint64_t eliminant_relpose_7pt_focal_radial_second_attempt_operations(void);
  *
  * Data: first[7][2], second[7][2].
  * A row of 5 numbers, the unknowns: w, third[3] (given up to scale: of length 1), radial.
- * A row of 11 numbers, the result radial_focal_pose: fundamental[3][3], focal, radial.
+ * A row of 11 numbers, the result radial_focal_pose: fundamental[3][3] (given up to scale), focal,
+ *   radial.
  */
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_FIRST_LENGTH 14
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_SECOND_LENGTH 14
@@ -2785,7 +2789,7 @@ uint64_t eliminant_relpose_7pt_focal_radial_one_side_second_attempt_operations(v
  *
  * Data: first[7][2], second[7][2].
  * A row of 4 numbers, the unknowns: third[3] (given up to scale: of length 1), radial.
- * A row of 10 numbers, the result radial_epipolar: fundamental[3][3], radial.
+ * A row of 10 numbers, the result radial_epipolar: fundamental[3][3] (given up to scale), radial.
  */
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_ELIMINATED_FIRST_LENGTH 14
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_ELIMINATED_SECOND_LENGTH 14

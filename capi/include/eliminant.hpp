@@ -798,7 +798,7 @@ inline void solve_batch(
 
 /// What `fundamental_7pt` returns beside its unknowns.
 struct Epipolar {
-    std::array<std::array<double, 3>, 3> fundamental;
+    std::array<std::array<double, 3>, 3> fundamental; ///< given up to scale
 };
 static_assert(sizeof(Epipolar) == 9 * sizeof(double), "a row");
 
@@ -920,7 +920,7 @@ inline void solve_batch(
 
 /// What `fundamental_8pt` returns beside its unknowns.
 struct Epipolar {
-    std::array<std::array<double, 3>, 3> fundamental;
+    std::array<std::array<double, 3>, 3> fundamental; ///< given up to scale
 };
 static_assert(sizeof(Epipolar) == 9 * sizeof(double), "a row");
 
@@ -1049,7 +1049,7 @@ inline void solve_batch(
 
 /// What `fundamental_8pt_radial` returns beside its unknowns.
 struct RadialEpipolar {
-    std::array<std::array<double, 3>, 3> fundamental;
+    std::array<std::array<double, 3>, 3> fundamental; ///< given up to scale
     double radial;
 };
 static_assert(sizeof(RadialEpipolar) == 10 * sizeof(double), "a row");
@@ -1179,7 +1179,7 @@ inline void solve_batch(
 
 /// What `fundamental_8pt_radial_one_side` returns beside its unknowns.
 struct RadialEpipolar {
-    std::array<std::array<double, 3>, 3> fundamental;
+    std::array<std::array<double, 3>, 3> fundamental; ///< given up to scale
     double radial;
 };
 static_assert(sizeof(RadialEpipolar) == 10 * sizeof(double), "a row");
@@ -1311,7 +1311,7 @@ inline void solve_batch(
 
 /// What `fundamental_9pt_two_radials` returns beside its unknowns.
 struct RadialEpipolar {
-    std::array<std::array<double, 3>, 3> fundamental;
+    std::array<std::array<double, 3>, 3> fundamental; ///< given up to scale
     std::array<double, 2> radials;
 };
 static_assert(sizeof(RadialEpipolar) == 11 * sizeof(double), "a row");
@@ -1437,7 +1437,7 @@ inline void solve_batch(
 
 /// What `homography_4pt` returns beside its unknowns.
 struct Homography {
-    std::array<std::array<double, 3>, 3> homography;
+    std::array<std::array<double, 3>, 3> homography; ///< given up to scale
 };
 static_assert(sizeof(Homography) == 9 * sizeof(double), "a row");
 
@@ -5262,7 +5262,7 @@ inline void solve_batch(
 
 /// What `relpose_5pt_rays` returns beside its unknowns.
 struct RelativePose {
-    std::array<std::array<double, 3>, 3> essential;
+    std::array<std::array<double, 3>, 3> essential; ///< given up to scale
     std::array<std::array<double, 3>, 3> rotation;
     std::array<double, 3> translation;
 };
@@ -5612,7 +5612,7 @@ inline void solve_batch(
 
 /// What `relpose_6pt_focal_one_side` returns beside its unknowns.
 struct FocalPose {
-    std::array<std::array<double, 3>, 3> fundamental;
+    std::array<std::array<double, 3>, 3> fundamental; ///< given up to scale
     double focal;
 };
 static_assert(sizeof(FocalPose) == 10 * sizeof(double), "a row");
@@ -5740,7 +5740,7 @@ inline void solve_batch(
 
 /// What `relpose_6pt_focal_points` returns beside its unknowns.
 struct FocalPose {
-    std::array<std::array<double, 3>, 3> fundamental;
+    std::array<std::array<double, 3>, 3> fundamental; ///< given up to scale
     double focal;
     std::array<std::array<double, 3>, 3> rotation;
     std::array<double, 3> translation;
@@ -6003,7 +6003,7 @@ inline void solve_batch(
 
 /// What `relpose_6pt_radial` returns beside its unknowns.
 struct RadialPose {
-    std::array<std::array<double, 3>, 3> essential;
+    std::array<std::array<double, 3>, 3> essential; ///< given up to scale
     double radial;
 };
 static_assert(sizeof(RadialPose) == 10 * sizeof(double), "a row");
@@ -6272,7 +6272,7 @@ inline void solve_batch(
 
 /// What `relpose_7pt_focal_radial` returns beside its unknowns.
 struct RadialFocalPose {
-    std::array<std::array<double, 3>, 3> fundamental;
+    std::array<std::array<double, 3>, 3> fundamental; ///< given up to scale
     double focal;
     double radial;
 };
@@ -6406,7 +6406,7 @@ inline void solve_batch(
 
 /// What `relpose_7pt_focal_radial_one_side` returns beside its unknowns.
 struct RadialFocalPose {
-    std::array<std::array<double, 3>, 3> fundamental;
+    std::array<std::array<double, 3>, 3> fundamental; ///< given up to scale
     double focal;
     double radial;
 };
@@ -6539,7 +6539,7 @@ inline void solve_batch(
 
 /// What `relpose_7pt_focal_radial_one_side_eliminated` returns beside its unknowns.
 struct RadialEpipolar {
-    std::array<std::array<double, 3>, 3> fundamental;
+    std::array<std::array<double, 3>, 3> fundamental; ///< given up to scale
     double radial;
 };
 static_assert(sizeof(RadialEpipolar) == 10 * sizeof(double), "a row");
