@@ -270,8 +270,8 @@ fn an_unknown_that_is_zero_at_the_solution_does_not_hide_it() {
     }
 }
 
-/// Two conics that are nearly the same meet where y = 0: errors of the equations are enlarged, and y
-/// is known to 1e-11 or so only. From one step to the next all its digits change.
+/// Two conics that are nearly the same meet where y = 0: errors of the equations are enlarged, and
+/// y is known to 1e-11 or so only. From one step to the next all its digits change.
 #[test]
 fn a_zero_that_rounding_moves_is_a_solution() {
     let mut random = Random::new(12);

@@ -55,7 +55,7 @@ fn solved_shares(family: Family, first_seed: u64) -> Vec<(&'static str, f64)> {
 
 /// Problems whose coefficients are powers of their data, the orders of magnitude of these data, and
 /// between which shares of instances the template is not singular to `f64`.
-const OF_POWERS: [(&str, f64, RangeInclusive<f64>); 6] = [
+const OF_POWERS: [(&str, f64, RangeInclusive<f64>); 7] = [
     // Squares: data over two orders of magnitude make coefficients over four.
     ("pose_5tdoa_two_receivers", 1.0, 0.999..=1.0),
     // Squares of images and of the bound, and the products of a determinant of derivatives. 0.99
@@ -64,11 +64,17 @@ const OF_POWERS: [(&str, f64, RangeInclusive<f64>); 6] = [
     ("pose_3pt_upright_error_bound", 4.0, 0.1..=1.0),
     // Products and squares of images in derived data. 0.999 measured.
     ("relpose_7pt_focal_radial_one_side", 1.0, 0.998..=1.0),
+    // The same, and equations that are solved at run time. 0.999 measured.
+    (SINGULAR_AT_RANDOM, 1.0, 0.998..=1.0),
     // Fourth powers: data over two make coefficients over eight. Ranges over eight are none of any
     // receivers, and make coefficients over 32, twice the digits of `f64`.
     ("calibration_6_receivers_4_senders", 1.0, 0.9..=1.0),
     ("calibration_6_receivers_4_senders", 4.0, 0.0..=0.0),
 ];
+
+/// The problem whose template is singular to `f64` on random instances, too: on 1 of 1,000, where a
+/// second attempt finds all. Templates that are not lose more solutions.
+const SINGULAR_AT_RANDOM: &str = "fundamental_8pt_radial";
 
 /// The problem whose template is singular to `f64` on more scenes than those of others are: on 11
 /// of 1,000.
@@ -83,7 +89,10 @@ fn assert_shares(shares: &[(&str, f64)], range: RangeInclusive<f64>) {
 
 #[test]
 fn on_random_data() {
-    assert_shares(&solved_shares(Family::Random, 1_000_000), 1.0..=1.0);
+    let shares = solved_shares(Family::Random, 1_000_000);
+    let (singular, others): (Vec<_>, Vec<_>) = shares.into_iter().partition(|(name, _)| *name == SINGULAR_AT_RANDOM);
+    assert!(matches!(singular[..], [(_, share)] if share >= 0.998), "{singular:?}");
+    assert_shares(&others, 1.0..=1.0);
 }
 
 #[test]
