@@ -11,7 +11,8 @@ use crate::statistics::complex;
 
 /// Scenes of each kind and problem.
 pub const SCENES: u64 = 1_000;
-/// The same where all are known to be lost: these take all attempts of a solver.
+/// The same where all are known to be lost, or turn out to be undetermined: these take all attempts
+/// of a solver.
 pub const FEW_SCENES: u64 = 40;
 /// Operations for the scenes of one kind and problem.
 const WORK: u64 = 400_000_000;
@@ -73,11 +74,24 @@ pub struct Fates {
 }
 
 impl Fates {
-    /// Solves scenes that are drawn with different seeds: so many, or as many as can be afforded.
+    /// Solves scenes that are drawn with different seeds: so many, or as many as can be afforded. If
+    /// the truth of none of the first scenes is determined, these tell of what kind they are.
     pub fn of(maker: &Maker, case: &Case, most: u64, draw: impl Fn(&mut Random) -> KnownInstance + Sync) -> Self {
         let scenes = affordable(&case.planned().plan, SCENES, WORK).min(most);
         let fate = |k| Fate::of(maker, case, &draw(&mut Random::new(31_000_000 + k)));
-        let fates: Vec<Fate> = (0..scenes).into_par_iter().map(fate).collect();
+        let first = Self::count((0..scenes.min(FEW_SCENES)).into_par_iter().map(fate).collect());
+        if first.undetermined == first.scenes() {
+            return first;
+        }
+        let others = Self::count((FEW_SCENES..scenes).into_par_iter().map(fate).collect());
+        Self {
+            found: first.found + others.found,
+            lost: first.lost + others.lost,
+            undetermined: first.undetermined + others.undetermined,
+        }
+    }
+
+    fn count(fates: Vec<Fate>) -> Self {
         let count = |wanted| fates.iter().filter(|fate| **fate == wanted).count();
         Self { found: count(Fate::Found), lost: count(Fate::Lost), undetermined: count(Fate::Undetermined) }
     }

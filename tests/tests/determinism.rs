@@ -12,7 +12,7 @@ use eliminant_tests::{cases, templates_folder};
 use rayon::ThreadPoolBuilder;
 
 /// Problems with more solutions are not searched: that would take minutes.
-const MOST_SOLUTIONS: usize = 18;
+const MOST_SOLUTIONS: usize = 12;
 
 /// The stems of the files in `templates/` that end so.
 fn stems(suffix: &str) -> Vec<String> {
@@ -30,15 +30,8 @@ fn every_problem_has_a_template_and_a_case() {
     assert_eq!(stems(".template.toml"), solved);
 }
 
-#[test]
-fn emission_repeats_itself() {
-    for case in cases() {
-        let emit = || generate(&case.problem(), &case.template()).expect("a solver");
-        assert_eq!(emit(), emit(), "{}", case.name);
-    }
-}
-
-/// A build script writes what `generate` returns, for every problem of the folder.
+/// A build script writes what `generate` returns, for every problem of the folder. Each solver is
+/// emitted twice for it.
 #[test]
 fn the_build_script_writes_the_same_bytes() {
     let out = tempfile::tempdir().expect("a folder");
@@ -72,11 +65,9 @@ fn template_files_survive_a_round_trip() {
 #[test]
 fn searches_repeat_themselves_on_any_number_of_threads() {
     let options = SearchOptions { max_columns: 100, shuffles: 1, ..SearchOptions::default() };
-    for case in cases() {
+    let quick = cases().into_iter().filter(|case| case.template().solutions <= MOST_SOLUTIONS);
+    for (case, threads) in quick.zip([2, 3].into_iter().cycle()) {
         let problem = case.problem();
-        if case.template().solutions > MOST_SOLUTIONS {
-            continue;
-        }
         let algebra = check(&problem).expect("finitely many solutions");
         let search = |threads: usize| -> Result<Vec<String>, SearchError> {
             let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
@@ -85,7 +76,6 @@ fn searches_repeat_themselves_on_any_number_of_threads() {
         };
         let one = search(1);
         println!("{}: {:?} templates", case.name, one.as_ref().map(Vec::len));
-        assert_eq!(one, search(3), "{}", case.name);
-        assert_eq!(one, search(2), "{}", case.name);
+        assert_eq!(one, search(threads), "{}", case.name);
     }
 }

@@ -12,7 +12,7 @@ use eliminant_tests::statistics::{complex, distance, log10, quantile, same_set, 
 use eliminant_tests::{Case, cases};
 use rayon::prelude::*;
 
-const INSTANCES: u64 = 10_000;
+const INSTANCES: u64 = 4_000;
 /// Scenes of the circle solvers, which the cylinders stand on.
 const MANY: u64 = 1_000_000;
 /// A returned solution at most this far from a known one is the known one with fewer digits.

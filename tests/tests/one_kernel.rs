@@ -17,9 +17,9 @@ use eliminant_tests::{Case, cases};
 use rayon::prelude::*;
 
 /// Instances of each family and problem, if they are affordable.
-const INSTANCES: u64 = 200;
+const INSTANCES: u64 = 100;
 /// Operations for all instances of one problem and family.
-const WORK: u64 = 300_000_000;
+const WORK: u64 = 100_000_000;
 
 /// What was compared.
 #[derive(Clone, Copy, Default)]
