@@ -17,7 +17,26 @@ use crate::problem::DataParameter;
 /// The function from the data to the coefficients.
 pub(super) fn statements(plan: &Plan) -> TokenStream {
     let doc = " The coefficients that the tables refer to, from all data, one parameter after another.";
-    function(inputs_of(plan), (&format_ident!("coefficients"), doc), &plan.program, &plan.coefficients)
+    let code = function(inputs_of(plan), (&format_ident!("coefficients"), doc), &plan.program, &plan.coefficients);
+    // Where several instances are solved side by side, with the registers of that caller.
+    quote!(#[inline(always)] #code)
+}
+
+/// A longer function is not copied to those that call it: compilers take more than twice as long
+/// for twice as long a function, and a call is nothing beside it.
+const MOST_COPIED: usize = 256;
+
+/// A function from the data to values of a program that `f64` calls, from several places.
+pub(super) fn shared_function(
+    given: (&[DataParameter], usize),
+    name: (&Ident, &str),
+    program: &Program,
+    values: &[ValueId],
+) -> TokenStream {
+    let code = function(given, name, program, values);
+    let is_short = program.steps() <= MOST_COPIED;
+    let attribute = if is_short { quote!(#[inline(always)]) } else { quote!(#[inline(never)]) };
+    quote!(#attribute #code)
 }
 
 /// The data that are given, and the number of all data.
@@ -26,7 +45,7 @@ pub(super) fn inputs_of(plan: &Plan) -> (&[DataParameter], usize) {
 }
 
 /// A function from the data to values of a program, with the statements of [`Statements`].
-pub(super) fn function(
+fn function(
     (given, count): (&[DataParameter], usize),
     (name, doc): (&Ident, &str),
     program: &Program,
@@ -71,7 +90,6 @@ pub(super) fn function(
     let unread_data = if locals.is_empty() { quote!(let _ = #data;) } else { quote!() };
     quote! {
         #[doc = #doc]
-        #[inline(always)]
         fn #name<T: emitted::Arithmetic>(#one: T, #data: &[T; #inputs]) -> [T; #length] {
             #unread
             #unread_data

@@ -76,7 +76,7 @@ fn module(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> Toke
     let (solution, functions) = (api::solution(plan), api::functions(plan));
     let (batch, derived) = (batch::batch(plan), derived::functions(plan));
     let means = means::functions(plan);
-    let (output, inequalities) = (output::output(plan), output::inequalities(plan));
+    let (output, inequalities) = (output::output(plan, listings), output::inequalities(plan));
     let instance = instance::instance(plan, provenance, listings);
     let statements = match plan.program.form {
         ProgramForm::Statements => code::statements(plan),

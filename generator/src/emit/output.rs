@@ -4,15 +4,18 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::derived::{self, Reader};
+use super::listing::Listings;
 use super::names::Names;
 use super::shapes::{accessors, chart_name, parameter, type_of, value_of};
-use super::{code, scaling, storage};
+use super::{code, program, scaling, storage};
 use crate::plan::output::{PlannedElement, PlannedField, PlannedOutput};
+use crate::plan::program::ProgramForm;
+use crate::plan::program_table::ProgramTable;
 use crate::plan::{Plan, Term};
 use crate::problem::SolutionField;
 
 /// The struct of an output, and the functions that return it; nothing without one.
-pub(super) fn output(plan: &Plan) -> TokenStream {
+pub(super) fn output(plan: &Plan, listings: &mut Listings) -> TokenStream {
     let Some(output) = &plan.output else { return quote!() };
     let (name, functions) = (format_ident!("{}", output.name), functions(plan, output));
     let fields = output.fields.iter().map(|PlannedField { name, shape, is_complex, .. }| {
@@ -26,11 +29,7 @@ pub(super) fn output(plan: &Plan) -> TokenStream {
     let doc = format!(" What `{}` returns beside its unknowns.", plan.name);
     let known = plan.unknowns.len() + plan.fields.iter().filter(|field| field.is_projective).count();
     let (values, variables) = (values(output, known), variables(plan, known + output.parts.len()));
-    let program = {
-        let doc = " The coefficients of what is returned beside the unknowns, from all data.";
-        let name = format_ident!("{COEFFICIENTS}");
-        code::function(code::inputs_of(plan), (&name, doc), &output.program, &output.coefficients)
-    };
+    let program = coefficients(plan, output, listings);
     quote! {
         #[doc = #doc]
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,6 +41,38 @@ pub(super) fn output(plan: &Plan) -> TokenStream {
         #program
         #values
         #variables
+    }
+}
+
+/// The function from all data to the coefficients of results: statements, or a table.
+fn coefficients(plan: &Plan, output: &PlannedOutput, listings: &mut Listings) -> TokenStream {
+    let doc = " The coefficients of what is returned beside the unknowns, from all data.";
+    let function = format_ident!("{COEFFICIENTS}");
+    if output.program.form == ProgramForm::Statements {
+        let name = (&function, doc);
+        return code::shared_function(code::inputs_of(plan), name, &output.program, &output.coefficients);
+    }
+    let table = ProgramTable::of_program(&output.program, plan.inputs(), &output.coefficients);
+    let name = format_ident!("PROGRAM_OF_RESULTS");
+    let program = program::static_program(&name, " From the data to the coefficients of results.", &table, listings);
+    let [inputs, values, length] =
+        [plan.inputs(), table.values, output.coefficients.len()].map(Literal::usize_unsuffixed);
+    // Where there is a heap all values of the table are on it.
+    let evaluate = match plan.is_on_heap() {
+        true => quote! {
+            let (memory, mut coefficients) = (emitted::Memory::new(), [0.0; #length]);
+            #name.run(&[data], memory.filled(#values, 0.0).as_mut(), &mut coefficients);
+            coefficients
+        },
+        false => quote!(#name.evaluate::<f64, #values, #length>(&[data])),
+    };
+    quote! {
+        #[doc = #doc]
+        fn #function(_: f64, data: &[f64; #inputs]) -> [f64; #length] {
+            #evaluate
+        }
+
+        #program
     }
 }
 

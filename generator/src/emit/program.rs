@@ -27,14 +27,7 @@ pub(super) fn name_of_table_function(plan: &Plan) -> Ident {
 /// The function from the data to the coefficients, and the table that it executes.
 pub(super) fn table(plan: &Plan, listings: &mut Listings) -> TokenStream {
     let table = ProgramTable::of(plan);
-    let constants = table.constants.iter().map(|&value| code::constant(value));
-    let operands = listings.add(table.operands.iter().map(|(a, b)| format!("({a}, {b})")));
-    let runs = table.runs.iter().map(|&(kind, steps)| {
-        let (kind, steps) = (format_ident!("{kind:?}"), Literal::u32_unsuffixed(steps));
-        quote!(emitted::Run { operation: emitted::Operation::#kind, steps: #steps })
-    });
-    let product_sums = product_sums(&table, listings);
-    let results = listings.add(table.results.iter().map(u32::to_string));
+    let program = static_program(&format_ident!("PROGRAM"), " From the data to the coefficients.", &table, listings);
     let [inputs, values, length] =
         [plan.inputs(), table.values, plan.coefficients.len()].map(Literal::usize_unsuffixed);
     let is_on_heap = storage::has_coefficients_on_heap(plan);
@@ -71,8 +64,23 @@ pub(super) fn table(plan: &Plan, listings: &mut Listings) -> TokenStream {
             #evaluate
         }
 
-        /// From the data to the coefficients.
-        static PROGRAM: emitted::Program<'static> = emitted::Program {
+        #program
+    }
+}
+
+/// A table.
+pub(super) fn static_program(name: &Ident, doc: &str, table: &ProgramTable, listings: &mut Listings) -> TokenStream {
+    let constants = table.constants.iter().map(|&value| code::constant(value));
+    let operands = listings.add(table.operands.iter().map(|(a, b)| format!("({a}, {b})")));
+    let runs = table.runs.iter().map(|&(kind, steps)| {
+        let (kind, steps) = (format_ident!("{kind:?}"), Literal::u32_unsuffixed(steps));
+        quote!(emitted::Run { operation: emitted::Operation::#kind, steps: #steps })
+    });
+    let product_sums = product_sums(table, listings);
+    let results = listings.add(table.results.iter().map(u32::to_string));
+    quote! {
+        #[doc = #doc]
+        static #name: emitted::Program<'static> = emitted::Program {
             constants: &[#(#constants),*],
             runs: &[#(#runs),*],
             operands: &[#operands],

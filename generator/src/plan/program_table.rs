@@ -67,15 +67,19 @@ pub struct ProgramTable {
 }
 
 impl ProgramTable {
-    /// The table of a plan's program. All data have a position, also those that no step reads.
+    /// The table of a plan's program.
     pub fn of(plan: &Plan) -> Self {
-        let program = &plan.program;
+        Self::of_program(&plan.program, plan.inputs(), &plan.coefficients)
+    }
+
+    /// The table of a program from so many data to these values. All data have a position, also
+    /// those that no step reads.
+    pub fn of_program(program: &Program, inputs: usize, values: &[ValueId]) -> Self {
         let as_constant = |operation: &Operation| match operation {
             Operation::Constant(value) => Some(*value),
             _ => None,
         };
         let constants: Vec<Rational> = program.operations.iter().filter_map(as_constant).collect();
-        let inputs = plan.inputs();
         let steps = program.operations.iter().filter(|operation| operation.is_step()).count();
         let positions = positions(program, constants.len(), inputs);
         let position = |id: ValueId| positions[id.0 as usize];
@@ -94,7 +98,7 @@ impl ProgramTable {
             products: Vec::new(),
             factors: Vec::new(),
             places: Vec::new(),
-            results: plan.coefficients.iter().map(|&id| position(id)).collect(),
+            results: values.iter().map(|&id| position(id)).collect(),
         };
         table.add_product_sums(program, &positions);
         table

@@ -58,8 +58,13 @@ pub(crate) fn planned_measurement(measurement: &Measurement) -> PlannedMeasureme
     PlannedMeasurement { name, docs, data, shape, program, elements }
 }
 
+/// The program that computes `used` once for all solutions, and the value of each.
+pub(crate) fn program_of_results(graph: &ExpressionGraph, used: &[ExpressionId]) -> (Program, Vec<ValueId>) {
+    straight_line_program(graph, used, 0)
+}
+
 /// The statements that compute `used`, and the value of each.
-pub(crate) fn statements_in_order(graph: &ExpressionGraph, used: &[ExpressionId]) -> (Program, Vec<ValueId>) {
+fn statements_in_order(graph: &ExpressionGraph, used: &[ExpressionId]) -> (Program, Vec<ValueId>) {
     let (mut program, values) = in_order_of_the_graph(graph, used);
     program.form = ProgramForm::Statements;
     (program, values)
