@@ -74,8 +74,8 @@ pub struct Fates {
 }
 
 impl Fates {
-    /// Solves scenes that are drawn with different seeds: so many, or as many as can be afforded. If
-    /// the truth of none of the first scenes is determined, these tell of what kind they are.
+    /// Solves scenes that are drawn with different seeds: so many, or as many as can be afforded.
+    /// If the truth of none of the first scenes is determined, these tell of what kind they are.
     pub fn of(maker: &Maker, case: &Case, most: u64, draw: impl Fn(&mut Random) -> KnownInstance + Sync) -> Self {
         let scenes = affordable(&case.planned().plan, SCENES, WORK).min(most);
         let fate = |k| Fate::of(maker, case, &draw(&mut Random::new(31_000_000 + k)));

@@ -14,13 +14,13 @@ use eliminant_tests::{Case, cases};
 use rayon::prelude::*;
 
 /// Instances on which solutions are counted.
-const INSTANCES: u64 = 4_000;
+const INSTANCES: u64 = 10_000;
 /// Scenes on which the solutions of `solve` are compared with those of `solve_complex`.
 const SCENES: u64 = 500;
 /// Instances of each family on which every returned point is judged.
 const JUDGED: u64 = 300;
 /// Operations for the instances of one problem that are judged.
-const WORK_OF_JUDGING: u64 = 300_000_000;
+const WORK_OF_JUDGING: u64 = 700_000_000;
 /// An imaginary part that is rounding, relative to the largest unknown.
 const REAL: f64 = 1e-9;
 
