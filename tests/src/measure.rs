@@ -37,7 +37,7 @@ pub fn residual(plan: &Plan, coefficients: &[f64], x: &[Complex<f64>]) -> f64 {
 /// Operations that solving all instances of one problem may take, without the polish, where they
 /// are measured.
 pub const WORK_OF_MEASURING: u64 = 20_000_000_000;
-/// The same where they are tested: two cores run all tests in less than ten minutes.
+/// The same where they are tested: two cores run all tests in less than twenty minutes.
 pub const WORK_OF_TESTING: u64 = 2_000_000_000;
 /// A solve that takes more operations counts as so many: even the largest templates are solved on
 /// some hundred instances.
