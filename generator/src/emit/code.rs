@@ -26,7 +26,8 @@ pub(super) fn statements(plan: &Plan) -> TokenStream {
 /// for twice as long a function, and a call is nothing beside it.
 const MOST_COPIED: usize = 256;
 
-/// A function from the data to values of a program that `f64` calls, from several places.
+/// A function from the data to values of a program, which is called from several places and in more
+/// than one precision, but never with several instances side by side.
 pub(super) fn shared_function(
     given: (&[DataParameter], usize),
     name: (&Ident, &str),

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::output::{PlannedElement, PlannedField, PlannedOutput};
-use super::straight_line::program_of_results;
+use super::straight_line::straight_line_program;
 use super::system_table::SystemTable;
 use super::{CoefficientId, Term};
 use crate::algebra::Monomial;
@@ -76,7 +76,7 @@ pub(super) fn planned_output(problem: &Problem, output: &Output) -> PlannedOutpu
     let fields = fields.collect();
     // All are used: a matrix with zeros holds the equations only.
     let used: Vec<ExpressionId> = coefficients.used.into_iter().flatten().collect();
-    let (program, coefficients) = program_of_results(&problem.graph, &used);
+    let (program, coefficients) = straight_line_program(&problem.graph, &used, 0);
     let (name, function) = (output.name.clone(), output.function.clone());
     PlannedOutput { name, function, parts, fields, program, coefficients }
 }

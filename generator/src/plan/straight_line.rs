@@ -16,7 +16,7 @@ const MOST_STATEMENTS: usize = 4096;
 const MOST_ROWS: usize = 40;
 
 /// The program that computes `used`, and the value of each. `rows` is the number of rows of the
-/// template.
+/// template that reads them, 0 for results.
 pub(crate) fn straight_line_program(
     graph: &ExpressionGraph,
     used: &[ExpressionId],
@@ -56,11 +56,6 @@ pub(crate) fn planned_measurement(measurement: &Measurement) -> PlannedMeasureme
     let (program, elements) = statements_in_order(&measurement.graph, &measurement.elements);
     let Measurement { name, docs, data, shape, .. } = measurement.clone();
     PlannedMeasurement { name, docs, data, shape, program, elements }
-}
-
-/// The program that computes `used` once for all solutions, and the value of each.
-pub(crate) fn program_of_results(graph: &ExpressionGraph, used: &[ExpressionId]) -> (Program, Vec<ValueId>) {
-    straight_line_program(graph, used, 0)
 }
 
 /// The statements that compute `used`, and the value of each.
