@@ -79,7 +79,7 @@ fn has_spurious_values<I: SolverInstance>(solver: &I) -> bool {
 #[inline]
 pub(crate) fn solve<I: SolverInstance>(
     solver: &mut I,
-    found: &mut impl Collection<I>,
+    found: &mut dyn Collection<I>,
     action: Option<&Square<I::Basis, f64>>,
 ) -> Result<(), SolveError> {
     let may_repeat = solver.allows_second_attempt();
@@ -131,7 +131,7 @@ const LOST_AT_FIRST: u32 = 3;
 #[cfg(feature = "alloc")]
 #[cold]
 #[inline(never)]
-fn continued<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>) -> bool {
+fn continued<I: SolverInstance>(solver: &mut I, found: &mut dyn Collection<I>) -> bool {
     let paths = solver.sizes().solutions.get();
     let is_ordinary = |family: &Family<'_>| family.data.iter().all(|x| x.abs() <= LARGEST_DATUM);
     if !solver.family().is_some_and(|family| is_ordinary(&family) && is_affordable(&family, paths)) {
@@ -163,7 +163,7 @@ fn continued<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>) 
 
 /// Without a heap there is no continuation.
 #[cfg(not(feature = "alloc"))]
-fn continued<I: SolverInstance>(_: &mut I, _: &mut impl Collection<I>) -> bool {
+fn continued<I: SolverInstance>(_: &mut I, _: &mut dyn Collection<I>) -> bool {
     false
 }
 
@@ -192,7 +192,7 @@ fn is_far_out<B: Size, S: Scalar>(action: &Square<B, S>) -> bool {
 #[inline(never)]
 fn first_attempt<I: SolverInstance>(
     solver: &mut I,
-    found: &mut impl Collection<I>,
+    found: &mut dyn Collection<I>,
     known: (&mut Known<I>, bool),
 ) -> Result<bool, SolveError> {
     let action = solver.action_matrix::<f64>()?;
@@ -207,7 +207,7 @@ fn first_attempt<I: SolverInstance>(
 fn from_action<I: SolverInstance>(
     solver: &I,
     action: &Square<I::Basis, f64>,
-    found: &mut impl Collection<I>,
+    found: &mut dyn Collection<I>,
     (known, may_stop): (&mut Known<I>, bool),
 ) -> Result<bool, SolveError> {
     let mut spectrum = Hessenberg::zero(solver.sizes().basis);
@@ -253,7 +253,7 @@ const COMPLEX: Part = |value| value.im > 0.0;
 fn add_separate<I: SolverInstance>(
     solver: &I,
     (spectrum, values): (&Hessenberg<I::Basis>, &BasisVector<I, Complex<f64>>),
-    found: &mut impl Collection<I>,
+    found: &mut dyn Collection<I>,
     (known, may_stop): (&mut Known<I>, bool),
     parts: &[Part],
 ) -> bool {
@@ -398,7 +398,7 @@ fn add_shared<I: SolverInstance>(
     solver: &I,
     action: &Square<I::Basis, f64>,
     (spectrum, values): (&Hessenberg<I::Basis>, &BasisVector<I, Complex<f64>>),
-    found: &mut impl Collection<I>,
+    found: &mut dyn Collection<I>,
 ) {
     let size = solver.sizes().basis;
     let mut basis = filled_matrix(size, size, 0.0);
@@ -425,7 +425,7 @@ fn add_shared<I: SolverInstance>(
 #[inline(never)]
 fn second_attempt<I: SolverInstance>(
     solver: &mut I,
-    found: &mut impl Collection<I>,
+    found: &mut dyn Collection<I>,
     known: &[Complex<f64>],
 ) -> Result<(), SolveError> {
     // The matrix stays in its result: a move would take its size from the stack twice.
