@@ -5,7 +5,7 @@ use fearless_simd::{Level, Simd};
 use crate::batch::hidden_pairs::HiddenPairs;
 use crate::batch::lanes::{Lanes, MOST, lanes_in_use};
 use crate::batch::polish::Equations;
-use crate::batch::roots::Isolation;
+use crate::batch::roots::real_roots;
 use crate::batch::solver::{BatchData, BatchSolver};
 use crate::determinant::CLEARANCE;
 use crate::elimination::template::{action_matrix_from, solved_rows_from};
@@ -114,10 +114,7 @@ fn solve_group<S: Simd, I: BatchSolver>(
     );
     let Some((pairs, read, determinant)) = &pairs else { return 0 };
     let (_, _, _, degree) = I::all_chains().sizes();
-    let roots = simd.vectorize(
-        #[inline(always)]
-        || Isolation::run(simd, degree, determinant),
-    );
+    let roots = real_roots(simd, degree, determinant);
     if I::HAS_ORIGIN {
         push_origin::<S, I>(simd, &coefficients, points);
     }

@@ -82,7 +82,7 @@ impl<S: Simd> Control<S> {
 }
 
 /// The roots found so far.
-pub(super) struct Isolation<S: Simd, Z: Size> {
+struct Isolation<S: Simd, Z: Size> {
     simd: S,
     size: Z,
     pieces: [Polynomials<S, Z>; PIECES],
@@ -92,12 +92,28 @@ pub(super) struct Isolation<S: Simd, Z: Size> {
     result: [RealRoots<Z>; MOST],
 }
 
+/// The real roots of a polynomial of each instance: see [`Isolation::run`]. Nothing in its type
+/// belongs to one solver, so that it is compiled once for all whose polynomials have this degree.
+#[inline(never)]
+pub(super) fn real_roots<S: Simd, Z: Size>(simd: S, size: Z, coefficients: &Polynomials<S, Z>) -> [RealRoots<Z>; MOST] {
+    simd.vectorize(
+        #[inline(always)]
+        || Isolation::run(simd, size, coefficients),
+    )
+}
+
+/// A function of its own is compiled once for all solvers.
+#[inline(never)]
+fn sort(brackets: &mut [Bracket]) {
+    brackets.sort_unstable_by(|a, b| a.piece.cmp(&b.piece).then(a.low.total_cmp(&b.low)));
+}
+
 impl<S: Simd, Z: Size> Isolation<S, Z> {
     /// The roots of c\[0\] + c\[1\] x + .. + c\[n\] x^n of each instance, in the order in which
     /// [`real_roots`](crate::emitted::real_roots) returns them. Those of an instance without a
     /// first or a last coefficient, or with one far out of range, are not certain.
     #[inline(always)]
-    pub(super) fn run(simd: S, size: Z, coefficients: &Polynomials<S, Z>) -> [RealRoots<Z>; MOST] {
+    fn run(simd: S, size: Z, coefficients: &Polynomials<S, Z>) -> [RealRoots<Z>; MOST] {
         let (power, shifts, is_in_range) = scaled(simd, size, coefficients);
         let certain = |at: usize| at < Lanes::<S>::COUNT && is_in_range >> at & 1 == 1;
         let mut this = Self {
@@ -218,7 +234,7 @@ impl<S: Simd, Z: Size> Isolation<S, Z> {
     #[inline(always)]
     fn refine_all(&mut self) {
         for brackets in &mut self.brackets {
-            brackets.sort_unstable_by(|a, b| a.piece.cmp(&b.piece).then(a.low.total_cmp(&b.low)));
+            sort(brackets);
         }
         let (mut instance, mut at) = (0, 0);
         loop {
