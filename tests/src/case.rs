@@ -17,8 +17,20 @@ pub type Found<T> = Result<Vec<Vec<T>>, SolveError>;
 /// The relative residual of a complex solution for given data.
 pub type Residual = fn(&[f64], &[Complex<f64>]) -> Result<f64, SolveError>;
 
-/// The relative residuals of all solutions of an instance.
-pub type Residuals = fn(&[f64]) -> Result<Vec<f64>, SolveError>;
+/// A solution in all that tests ask of it.
+#[derive(Clone, Debug)]
+pub struct Returned<T> {
+    /// The unknowns.
+    pub unknowns: Vec<T>,
+    /// The same with all elements of vectors up to scale.
+    pub elements: Vec<T>,
+    /// `relative_residual` of the solution itself, infinity where that is an error: coordinates of
+    /// vectors up to scale do not keep the digits of small elements.
+    pub residual: f64,
+}
+
+/// Solutions, from one solve.
+pub type ReturnedBy<T> = Result<Vec<Returned<T>>, SolveError>;
 
 /// One emitted solver. Data are flat, parameters one after another, arrays row by row. Solutions
 /// are the unknowns that are solved for: of a vector that is given up to scale, its coordinates.
@@ -40,11 +52,10 @@ pub struct Case {
     pub action_matrix: fn(&[f64]) -> Found<f64>,
     /// `relative_residual` of a complex solution.
     pub residual: Residual,
-    /// The solutions of `solve_complex` with all elements of vectors up to scale.
-    pub elements: fn(&[f64]) -> Found<Complex<f64>>,
-    /// `relative_residual` of the solutions of `solve` and of `solve_complex` themselves:
-    /// coordinates of vectors up to scale do not keep the digits of small elements.
-    pub residuals: [Residuals; 2],
+    /// `solve`, with elements and residuals.
+    pub returned: fn(&[f64]) -> ReturnedBy<f64>,
+    /// `solve_complex`, with elements and residuals.
+    pub returned_complex: fn(&[f64]) -> ReturnedBy<Complex<f64>>,
     /// The time that `solve` takes for all of these data, one after the other, and the number of
     /// real solutions that it returns. Data are not flat while the time is taken.
     pub time: fn(&[Vec<f64>]) -> (Duration, usize),
@@ -118,14 +129,19 @@ macro_rules! typed {
     };
 }
 
-/// The residuals of the solutions that a function returns.
-macro_rules! residuals {
+/// All of the solutions that a function returns.
+macro_rules! returned {
     ($name:ident, $solve:ident, ($($data:ident: $kind:ident),*)) => {
         |flat| {
             let mut _values = flat.iter().copied();
             $(let $data = FromFlat::take(&mut _values);)*
             let found = solvers::$name::$solve($(argument!($data: $kind)),*)?;
-            found.iter().map(|x| solvers::$name::relative_residual($(argument!($data: $kind),)* x)).collect()
+            let returned = found.iter().map(|x| Returned {
+                unknowns: x.to_unknowns().to_vec(),
+                elements: x.to_array().to_vec(),
+                residual: solvers::$name::relative_residual($(argument!($data: $kind),)* x).unwrap_or(f64::INFINITY),
+            });
+            Ok(returned.collect())
         }
     };
 }
@@ -159,16 +175,8 @@ macro_rules! case {
                 let found = solvers::$name::solve_complex_in(workspace, $(argument!($data: $kind)),*)?;
                 Ok(found.iter().map(|s| s.to_unknowns().to_vec()).collect())
             },
-            elements: |flat| {
-                let mut _values = flat.iter().copied();
-                $(let $data = FromFlat::take(&mut _values);)*
-                let found = solvers::$name::solve_complex($(argument!($data: $kind)),*)?;
-                Ok(found.iter().map(|s| s.to_array().to_vec()).collect())
-            },
-            residuals: [
-                residuals!($name, solve, ($($data: $kind),*)),
-                residuals!($name, solve_complex, ($($data: $kind),*)),
-            ],
+            returned: returned!($name, solve, ($($data: $kind),*)),
+            returned_complex: returned!($name, solve_complex, ($($data: $kind),*)),
             second_attempt_operations: solvers::$name::SECOND_ATTEMPT_OPERATIONS,
             action_matrix: |flat| {
                 let mut _values = flat.iter().copied();

@@ -1,6 +1,7 @@
 //! What becomes of the known solution of a scene, where its data have structure.
 
 use eliminant_generator::algebra::Random;
+use eliminant_generator::problem::Problem;
 use rayon::prelude::*;
 
 use crate::Case;
@@ -9,8 +10,8 @@ use crate::ground_truth::{FOUND, KnownInstance, Maker};
 use crate::measure::affordable;
 use crate::statistics::complex;
 
-/// Scenes of each kind and problem.
-pub const SCENES: u64 = 1_000;
+/// Scenes of each kind and problem, if they are affordable.
+const SCENES: u64 = 1_000;
 /// The same where all are known to be lost, or turn out to be undetermined: these take all attempts
 /// of a solver.
 pub const FEW_SCENES: u64 = 40;
@@ -26,6 +27,11 @@ const KNOWN: f64 = 1e-8;
 /// Unknowns this large are infinite but for the rounding of data.
 const INFINITE: f64 = 1e12;
 
+/// How many scenes of each kind are solved of a problem.
+pub fn scenes_of(case: &Case) -> u64 {
+    affordable(&case.planned().plan, SCENES, WORK)
+}
+
 /// What became of the truth of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fate {
@@ -38,8 +44,8 @@ pub enum Fate {
 }
 
 impl Fate {
-    /// Solves an instance.
-    pub fn of(maker: &Maker, case: &Case, instance: &KnownInstance) -> Self {
+    /// Solves an instance of the problem.
+    fn of(maker: &Maker, case: &Case, problem: &Problem, instance: &KnownInstance) -> Self {
         let found = (case.solve)(&instance.data).unwrap_or_default();
         let is_found =
             |truth: &&Vec<f64>| found.iter().any(|solution| (maker.error)(&instance.data, solution, truth) <= FOUND);
@@ -50,7 +56,7 @@ impl Fate {
         if missing.iter().any(|truth| truth.iter().any(|x| !x.is_finite() || x.abs() > INFINITE)) {
             return Self::Lost;
         }
-        let Some(equations) = Equations::new(&case.problem(), &instance.data) else { return Self::Undetermined };
+        let Some(equations) = Equations::new(problem, &instance.data) else { return Self::Undetermined };
         let is_determined = |truth: &&Vec<f64>| {
             let size = truth.iter().map(|x| x * x).sum::<f64>().sqrt();
             let exact = equations.refined(&complex(truth));
@@ -74,11 +80,11 @@ pub struct Fates {
 }
 
 impl Fates {
-    /// Solves scenes that are drawn with different seeds: so many, or as many as can be afforded.
-    /// If the truth of none of the first scenes is determined, these tell of what kind they are.
-    pub fn of(maker: &Maker, case: &Case, most: u64, draw: impl Fn(&mut Random) -> KnownInstance + Sync) -> Self {
-        let scenes = affordable(&case.planned().plan, SCENES, WORK).min(most);
-        let fate = |k| Fate::of(maker, case, &draw(&mut Random::new(31_000_000 + k)));
+    /// Solves so many scenes, which are drawn with different seeds. If the truth of none of the
+    /// first ones is determined, these tell of what kind they are.
+    pub fn of(maker: &Maker, case: &Case, scenes: u64, draw: impl Fn(&mut Random) -> KnownInstance + Sync) -> Self {
+        let problem = case.problem();
+        let fate = |k| Fate::of(maker, case, &problem, &draw(&mut Random::new(31_000_000 + k)));
         let first = Self::count((0..scenes.min(FEW_SCENES)).into_par_iter().map(fate).collect());
         if first.undetermined == first.scenes() {
             return first;

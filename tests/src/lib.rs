@@ -17,4 +17,4 @@ pub mod source;
 pub mod stack;
 pub mod statistics;
 
-pub use case::{Case, cases, templates_folder};
+pub use case::{Case, Returned, cases, templates_folder};

@@ -12,10 +12,10 @@ use eliminant_generator::problem::draw::draw_inputs;
 use eliminant_generator::search::measuring::interpreted::InterpretedSolver;
 use rayon::prelude::*;
 
-use crate::Case;
 use crate::families::{DataSource, Family};
 use crate::ground_truth::{FOUND, Maker, makers};
 use crate::statistics::{distance, log10, most_frequent, worst};
+use crate::{Case, Returned};
 
 /// Points closer than this are one solution.
 pub const SAME: f64 = 1e-8;
@@ -79,14 +79,16 @@ pub fn measure(case: &Case, plan: &Plan, family: Family, instances: u64, first_s
     // The number of solutions, if they are distinct, and the log10 of their residuals.
     let solve = |k| -> (Option<usize>, Vec<f64>) {
         let data = source.draw(family, first_seed + k);
-        let found = (case.solve_complex)(&data).ok().zip(interpret::coefficients(plan, Float64, &data));
-        let Some((found, coefficients)) = found else { return (None, Vec::new()) };
+        let Some(returned) = (case.returned_complex)(&data).ok() else { return (None, Vec::new()) };
+        let Some(coefficients) = interpret::coefficients(plan, Float64, &data) else { return (None, Vec::new()) };
         // Coordinates in the chart do not keep the digits of elements that have other units.
-        let residuals = match has_units {
-            true => case.residuals[1](&data).unwrap_or_else(|_| vec![f64::INFINITY; found.len()]),
-            false => found.iter().map(|x| residual(plan, &coefficients, x)).collect(),
+        let residual_of = |solution: &Returned<Complex<f64>>| match has_units {
+            true => solution.residual,
+            false => residual(plan, &coefficients, &solution.unknowns),
         };
-        (are_distinct(&found).then_some(found.len()), residuals.into_iter().map(log10).collect())
+        let residuals = returned.iter().map(|solution| log10(residual_of(solution))).collect();
+        let found: Vec<_> = returned.into_iter().map(|solution| solution.unknowns).collect();
+        (are_distinct(&found).then_some(found.len()), residuals)
     };
     let (counts, residuals): (Vec<Option<usize>>, Vec<Vec<f64>>) = (0..instances).into_par_iter().map(solve).unzip();
     let solutions = match family {

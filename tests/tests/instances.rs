@@ -170,7 +170,8 @@ fn judged(case: &Case, family: Family, first_seed: u64, instances: u64) -> Vec<J
     let judge_one = |k: u64| {
         let data = source.draw(family, first_seed + k);
         let equations = Equations::new(&problem, &data).expect("no divisor vanishes");
-        let [points, elements] = [case.solve_complex, case.elements].map(|solve| solve(&data).unwrap_or_default());
+        let returned = (case.returned_complex)(&data).unwrap_or_default().into_iter();
+        let (points, elements): (Vec<_>, Vec<_>) = returned.map(|it| (it.unknowns, it.elements)).unzip();
         judge(&equations, &points, &elements)
     };
     (0..instances).into_par_iter().map(judge_one).collect()

@@ -3,7 +3,7 @@
 //! because of it.
 
 use eliminant_tests::cases;
-use eliminant_tests::fate::{FEW_SCENES, Fates, SCENES};
+use eliminant_tests::fate::{FEW_SCENES, Fates, scenes_of};
 use eliminant_tests::ground_truth::{Make, Motion, makers};
 
 /// Problems and motions of which the true solution is lost, and why.
@@ -47,13 +47,14 @@ fn no_motion_is_special() {
     for (maker, case) in makers().iter().zip(cases()) {
         let Make::TwoCameras(make) = maker.make else { continue };
         assert_eq!(maker.name, case.name);
+        let scenes = scenes_of(&case);
         for motion in Motion::ALL {
             let is_known = |(names, motions, _): &(&[&str], &[Motion], &str)| {
                 names.contains(&case.name) && motions.contains(&motion)
             };
             let is_lost = LOST.iter().any(is_known);
-            let most = if is_lost { FEW_SCENES } else { SCENES };
-            let fates = Fates::of(maker, &case, most, |random| make(random, motion));
+            let scenes = if is_lost { scenes.min(FEW_SCENES) } else { scenes };
+            let fates = Fates::of(maker, &case, scenes, |random| make(random, motion));
             println!("{}, {motion:?}: {fates:?}", case.name);
             if fates.loses() != is_lost {
                 faults.push((case.name, motion, fates));

@@ -3,7 +3,7 @@
 //! some charts. No solver of a pose may lose a solution because of it.
 
 use eliminant_tests::cases;
-use eliminant_tests::fate::{FEW_SCENES, Fates, SCENES};
+use eliminant_tests::fate::{FEW_SCENES, Fates, scenes_of};
 use eliminant_tests::ground_truth::{Make, View, makers};
 
 /// Problems and views.
@@ -50,9 +50,10 @@ fn no_view_is_special() {
     for (maker, case) in makers().iter().zip(cases()) {
         let Make::KnownPoints(make) = maker.make else { continue };
         assert_eq!(maker.name, case.name);
+        let scenes = scenes_of(&case);
         for view in View::ALL {
-            let most = if is_among(&LOST, case.name, view) { FEW_SCENES } else { SCENES };
-            let fates = Fates::of(maker, &case, most, |random| make(random, view));
+            let scenes = if is_among(&LOST, case.name, view) { scenes.min(FEW_SCENES) } else { scenes };
+            let fates = Fates::of(maker, &case, scenes, |random| make(random, view));
             println!("{}, {view:?}: {fates:?}", case.name);
             let known = [&LOST[..], &DEGENERATE[..]].map(|exceptions| is_among(exceptions, case.name, view));
             let part = PARTLY_LOST.iter().find(|(name, kind, _)| *name == case.name && *kind == view);

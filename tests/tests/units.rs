@@ -37,16 +37,21 @@ struct Measured {
 }
 
 /// Measures scenes in a unit of 2^`exponent` in one direction of scalings.
-fn measured(case: &Case, maker: &Maker, scaling: &Scaling, exponent: i32, scenes: u64) -> Measured {
+fn measured(
+    (case, maker): (&Case, &Maker),
+    solver: &InterpretedSolver,
+    scaling: &Scaling,
+    exponent: i32,
+    scenes: u64,
+) -> Measured {
     let factor = |&weight: &i8| 2f64.powi(i32::from(weight) * exponent);
-    let solver = InterpretedSolver::of(&case.planned().plan);
     let exponents: Vec<i16> = scaling.unknowns.iter().map(|&weight| i16::from(weight) * exponent as i16).collect();
     let of_scene = |k| {
         let instance = maker.make.draw(&mut Random::new(7_000_000 + k));
         let data: Vec<f64> = instance.data.iter().zip(&scaling.data).map(|(x, weight)| x * factor(weight)).collect();
-        let mut solutions = (case.solve)(&data).unwrap_or_default();
-        let residuals = case.residuals[0](&data).unwrap_or_else(|_| vec![f64::INFINITY; solutions.len()]);
-        let residuals: Vec<f64> = residuals.into_iter().map(log10).collect();
+        let returned = (case.returned)(&data).unwrap_or_default();
+        let residuals: Vec<f64> = returned.iter().map(|solution| log10(solution.residual)).collect();
+        let mut solutions: Vec<Vec<f64>> = returned.into_iter().map(|solution| solution.unknowns).collect();
         solutions.iter_mut().for_each(|solution| solver.unscale(&exponents, solution));
         let is_found = |truth: &&Vec<f64>| solutions.iter().any(|x| (maker.error)(&instance.data, x, truth) <= FOUND);
         (instance.truths.iter().filter(is_found).count(), instance.truths.len(), residuals)
@@ -148,14 +153,14 @@ fn known_solutions_are_found_in_all_units() {
             // Scaled measurements have other null spaces: `results.rs` has tests of their units.
             continue;
         }
-        let scenes = affordable(&plan, SCENES, WORK).max(FEWEST);
+        let (scenes, solver) = (affordable(&plan, SCENES, WORK).max(FEWEST), InterpretedSolver::of(&plan));
         for scaling in plan.scalings.iter().filter(|scaling| scaling.unknowns.iter().any(|&weight| weight != 0)) {
             directions += 1;
-            let usual = measured(&case, &maker, scaling, 0, scenes);
+            let usual = measured((&case, &maker), &solver, scaling, 0, scenes);
             let mut line = format!("{}, unknowns as {:?}, {scenes} scenes:", case.name, scaling.unknowns);
             for unit in UNITS {
                 let exponent = (f64::from(unit) * 10f64.log2()).round() as i32;
-                let scaled = measured(&case, &maker, scaling, exponent, scenes);
+                let scaled = measured((&case, &maker), &solver, scaling, exponent, scenes);
                 line += &format!(" 1e{unit} {:.4} {:.2},", scaled.found, scaled.residual);
                 if scaled.found < usual.found - LESS || scaled.residual > (1.0 - WORSE) * usual.residual {
                     faults.push(format!("{}, {:?} at 1e{unit}", case.name, scaling.unknowns));
