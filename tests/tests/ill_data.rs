@@ -192,8 +192,9 @@ impl Subject {
                 if !x.iter().all(|x| x.re.is_finite() && x.im.is_finite()) {
                     return Err(format!("a solution is not finite: {x:?}"));
                 }
-                // NaN is refused, too.
-                if !(*residual <= MAX_RESIDUAL + self.rounding(x)) {
+                // False for NaN, too.
+                let is_solution = *residual <= MAX_RESIDUAL + self.rounding(x);
+                if !is_solution {
                     return Err(format!("the residual of {x:?} is {residual}"));
                 }
             }
