@@ -79,7 +79,7 @@ pub fn measure(case: &Case, plan: &Plan, family: Family, instances: u64, first_s
     // The number of solutions, if they are distinct, and the log10 of their residuals.
     let solve = |k| -> (Option<usize>, Vec<f64>) {
         let data = source.draw(family, first_seed + k);
-        let Some(returned) = (case.returned_complex)(&data).ok() else { return (None, Vec::new()) };
+        let Ok(returned) = (case.returned_complex)(&data) else { return (None, Vec::new()) };
         let Some(coefficients) = interpret::coefficients(plan, Float64, &data) else { return (None, Vec::new()) };
         // Coordinates in the chart do not keep the digits of elements that have other units.
         let residual_of = |solution: &Returned<Complex<f64>>| match has_units {
