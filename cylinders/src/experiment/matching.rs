@@ -17,6 +17,11 @@ const RUNS: usize = 100;
 const OUTLIER_RATES: [f64; 6] = [0.86, 0.89, 0.90, 0.91, 0.92, 0.94];
 const NOISE: [f64; 6] = [0.25, 0.5, 1.0, 1.5, 2.0, 3.0];
 
+/// The default of the largest distance between a line and its silhouette, pixels; and another one,
+/// at each noise.
+const BOUND: f64 = 3.0;
+const WIDER_BOUND: f64 = 6.0;
+
 /// Parts of the visible silhouettes that are detected, and numbers of directions, at the outlier
 /// rate and the noise of the set-up.
 const DETECTION: [f64; 5] = [0.9, 0.8, 0.7, 0.6, 0.5];
@@ -29,7 +34,7 @@ const SETUP: &str = "Seven parallel cylinders of similar radius in twelve images
 hides are not seen, and nine of ten visible silhouettes are detected. The ends of lines are \
 moved by normal noise (pixels). Clutter along the direction is added up to the outlier rate: \
 the mean over the cylinders of the part of all lines that are not its silhouettes. Pairs of \
-every image are tried, and lines within 3 pixels match, whatever the noise. Told: the \
+every image are tried, and lines within the bound match, whatever the noise. Told: the \
 information given to the search. If the direction is not given, it is estimated from all \
 lines; if the number of cylinders is not given, the search takes all cylinders that are \
 unlikely to be chance. Cylinders of several directions take turns in them; the directions are 25 \
@@ -45,6 +50,8 @@ struct Row {
     setup: ParallelSetup,
     directions: usize,
     told: Told,
+    /// Pixels.
+    bound: f64,
 }
 
 /// The information that the search gets besides the lines.
@@ -79,9 +86,10 @@ struct Score {
 }
 
 /// The columns of all tables.
-const COLUMNS: [&str; 11] = [
+const COLUMNS: [&str; 12] = [
     "told",
     "noise / pixels",
+    "bound / pixels",
     "detected",
     "directions",
     "lines",
@@ -96,17 +104,19 @@ const COLUMNS: [&str; 11] = [
 pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
     let runs = options.runs_or(RUNS);
     let paper = ParallelSetup::seven_in_twelve();
-    let row = |setup| Row { setup, directions: 1, told: Told::Nothing };
+    let row = |setup| Row { setup, directions: 1, told: Told::Nothing, bound: BOUND };
     let told = Told::ALL.map(|told| Row { told, ..row(paper) });
     let by_rate = OUTLIER_RATES.map(|outlier_rate| row(ParallelSetup { outlier_rate, ..paper }));
     let by_noise = NOISE.map(|noise| row(ParallelSetup { noise, ..paper }));
+    let with_wider_bound = by_noise.map(|row| Row { bound: WIDER_BOUND, ..row });
     let by_detection = DETECTION.map(|detection| row(ParallelSetup { detection, ..paper }));
     let by_directions = DIRECTIONS.map(|directions| Row { directions, ..row(paper) });
     let mut outcome = Outcome::new(SETUP, runs);
-    let parts: [(_, &[Row]); 5] = [
+    let parts: [(_, &[Row]); 6] = [
         ("paper", &told),
         ("outlier_rate", &by_rate),
         ("noise", &by_noise),
+        ("wider_bound", &with_wider_bound),
         ("detection", &by_detection),
         ("directions", &by_directions),
     ];
@@ -123,11 +133,12 @@ pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
             let [matches, wrong] = [mean(|score| score.matches as f64), mean(|score| score.wrong as f64)];
             let numbers = [found, all, mean(|score| score.spurious as f64), wrong / matches].map(Into::into);
             let lines = mean(|score| score.lines as f64);
-            let cells = [setup.noise.into(), setup.detection.into(), row.directions.into(), lines.into(), rate.into()];
-            let cells = [row.told.name().into()].into_iter().chain(cells).chain([setup.cylinders.into()]);
+            let of_row = [setup.noise, row.bound, setup.detection].map(Into::into);
+            let of_scenes = [row.directions.into(), lines.into(), rate.into(), setup.cylinders.into()];
+            let cells = [row.told.name().into()].into_iter().chain(of_row).chain(of_scenes);
             table.push(cells.chain(numbers));
             let x = match name {
-                "noise" => setup.noise,
+                "noise" | "wider_bound" => setup.noise,
                 "detection" => setup.detection,
                 _ => rate,
             };
@@ -139,7 +150,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
             let [all, each] = points;
             let series = [("all seven found", all), ("part of the seven found", each)];
             let label = match name {
-                "noise" => "noise of the end points / pixels",
+                "noise" | "wider_bound" => "noise of the end points / pixels",
                 "detection" => "part of the visible silhouettes that are detected",
                 _ => "mean outlier rate",
             };
@@ -156,13 +167,13 @@ pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
 }
 
 fn score(row: &Row, seed: u64) -> Result<Score, ViewError> {
-    let Row { setup, directions, told } = row;
+    let Row { setup, directions, told, bound } = row;
     let scene = setup.scene_of_directions(*directions, seed)?;
     let lines: usize = scene.views.iter().map(|view| view.lines().len()).sum();
     let silhouettes = scene.truth.iter().flatten().flatten().count();
     let outlier_rate = 1.0 - silhouettes as f64 / (setup.cylinders * lines) as f64;
     let mut score = Score { lines, outlier_rate, found: 0, spurious: 0, matches: 0, wrong: 0 };
-    let options = MatchOptions::of(&scene.views);
+    let options = MatchOptions { threshold: *bound, ..MatchOptions::of(&scene.views) };
     let told_number = MatchOptions { count: Some(setup.cylinders), ..options };
     let found = match told {
         Told::Nothing => match_directions(&scene.views, &options),
