@@ -187,6 +187,10 @@ fn seven_cylinders_are_found_among_clutter() {
     let number = |column| number(&summary, "paper", &[("told", "number, direction".into())], column);
     assert!(number("outlier rate") >= 0.89);
     assert_eq!((number("all"), number("false (mean)")), (1.0, 0.0));
+    // The bound, twice the default, is what the search gets.
+    let at = |table, column| self::number(&summary, table, &[("noise / pixels", 3.0.into())], column);
+    assert_eq!(at("wider_bound", "bound / pixels"), 2.0 * at("noise", "bound / pixels"));
+    assert!(at("wider_bound", "found (mean)") > at("noise", "found (mean)"));
 }
 
 #[test]

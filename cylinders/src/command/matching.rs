@@ -12,6 +12,7 @@ use super::found::Found;
 use super::images::ImageArguments;
 use super::output::Output;
 use super::scene::SceneArguments;
+use crate::matching::WIDER;
 use crate::progress::progress_bar;
 use crate::{
     MatchError, MatchOptions, Matching, Progress, References, View, match_candidate_with, match_cylinders_with,
@@ -79,7 +80,7 @@ pub(super) fn run(arguments: &Arguments, command: &str) -> Result<Output, Comman
     let mut found = search(arguments, &read.views, &options).map(|matching| (options.threshold, matching));
     if matches!(found, Err(MatchError::NoCylinder { .. })) && arguments.threshold.is_none() {
         // Hand-drawn lines may need more than the default.
-        let options = MatchOptions { threshold: 2.0 * options.threshold, ..options };
+        let options = MatchOptions { threshold: WIDER * options.threshold, ..options };
         found = search(arguments, &read.views, &options).map(|matching| (options.threshold, matching));
     }
     let failure = |error| CommandError::Match { scene: arguments.scene.path().to_owned(), error };

@@ -7,6 +7,7 @@ use super::options::Options;
 use super::outcome::Outcome;
 use super::quantile::Sorted;
 use super::table::Table;
+use crate::matching::{THRESHOLD_PIXELS, WIDER};
 use crate::picture::{Axis, Plot, Series};
 use crate::simulation::{ParallelScene, ParallelSetup};
 use crate::{Cylinder, MatchOptions, View, ViewError, match_cylinders, match_directions, match_directions_with};
@@ -16,11 +17,6 @@ const RUNS: usize = 100;
 /// Outlier rates, at the noise of the set-up; noise in pixels, at the outlier rate of the set-up.
 const OUTLIER_RATES: [f64; 6] = [0.86, 0.89, 0.90, 0.91, 0.92, 0.94];
 const NOISE: [f64; 6] = [0.25, 0.5, 1.0, 1.5, 2.0, 3.0];
-
-/// The default of the largest distance between a line and its silhouette, pixels; and another one,
-/// at each noise.
-const BOUND: f64 = 3.0;
-const WIDER_BOUND: f64 = 6.0;
 
 /// Parts of the visible silhouettes that are detected, and numbers of directions, at the outlier
 /// rate and the noise of the set-up.
@@ -50,7 +46,7 @@ struct Row {
     setup: ParallelSetup,
     directions: usize,
     told: Told,
-    /// Pixels.
+    /// Largest distance between a line and its silhouette, pixels.
     bound: f64,
 }
 
@@ -104,11 +100,11 @@ const COLUMNS: [&str; 12] = [
 pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
     let runs = options.runs_or(RUNS);
     let paper = ParallelSetup::seven_in_twelve();
-    let row = |setup| Row { setup, directions: 1, told: Told::Nothing, bound: BOUND };
+    let row = |setup| Row { setup, directions: 1, told: Told::Nothing, bound: THRESHOLD_PIXELS };
     let told = Told::ALL.map(|told| Row { told, ..row(paper) });
     let by_rate = OUTLIER_RATES.map(|outlier_rate| row(ParallelSetup { outlier_rate, ..paper }));
     let by_noise = NOISE.map(|noise| row(ParallelSetup { noise, ..paper }));
-    let with_wider_bound = by_noise.map(|row| Row { bound: WIDER_BOUND, ..row });
+    let with_wider_bound = by_noise.map(|row| Row { bound: WIDER * row.bound, ..row });
     let by_detection = DETECTION.map(|detection| row(ParallelSetup { detection, ..paper }));
     let by_directions = DIRECTIONS.map(|directions| Row { directions, ..row(paper) });
     let mut outcome = Outcome::new(SETUP, runs);

@@ -57,6 +57,8 @@ pub use directions::candidate_directions;
 pub use error::MatchError;
 pub use found::{MatchedCylinder, Matching};
 pub use options::{MatchOptions, References};
+#[cfg(feature = "command")]
+pub(crate) use options::{THRESHOLD_PIXELS, WIDER};
 pub use refined::{RefinedMatch, refined_matches};
 pub use search::{Progress, match_cylinders, match_cylinders_with};
 pub use several::{match_directions, match_directions_with};
