@@ -80,6 +80,25 @@ fn told_nothing_the_search_finds_all_seven_and_hardly_anything_else() {
     assert!(cylinders <= 7 * 30 + 3, "{cylinders}");
 }
 
+/// Half of the silhouettes are not detected: a cylinder has nine lines on average, some have four.
+#[test]
+fn cylinders_with_few_lines_are_found_where_chance_does_not_give_them() {
+    let setup = ParallelSetup { detection: 0.5, ..ParallelSetup::seven_in_twelve() };
+    let (mut right, mut others) = (0, 0);
+    for seed in 0..12 {
+        let scene = scene(&setup, seed);
+        let Ok(matching) = match_cylinders(&scene.views, &scene.direction, &MatchOptions::of(&scene.views)) else {
+            continue;
+        };
+        let of_scene = found(&scene, &matching).iter().flatten().count();
+        right += of_scene;
+        others += matching.cylinders.len() - of_scene;
+    }
+    println!("{right} of {} found, {others} others", 7 * 12);
+    // A bound on chance, in place of its distribution, lets 24 of them stand out.
+    assert!(right >= 42 && others <= 2, "{right} {others}");
+}
+
 #[test]
 fn progress_counts_pairs_and_cylinders() {
     let scene = scene(&ParallelSetup::seven_in_twelve(), 2);
@@ -228,12 +247,18 @@ fn bad_input_is_a_typed_error() {
     // The threshold in radians describes the same scene.
     let radians = MatchOptions { unit: DistanceUnit::Radians, threshold: 0.003, ..options };
     let matching = match_cylinders(&uncalibrated, &scene.direction, &radians).expect("cylinders");
-    // A line at the threshold may be within the one and not the other.
+    // A line at the threshold may be within the one and not the other. Then a cylinder has it or
+    // not, and may leave one or two lines to the next.
     let in_pixels = matched(&scene.views, &scene.direction);
     let differ =
         |one: &Matching, other: &Matching| one.unmatched.iter().filter(|line| !other.unmatched.contains(line)).count();
     assert_eq!(matching.cylinders.len(), in_pixels.cylinders.len());
-    assert!(differ(&matching, &in_pixels) + differ(&in_pixels, &matching) <= 1);
+    assert!(differ(&matching, &in_pixels) + differ(&in_pixels, &matching) <= 3);
+    for (one, other) in matching.cylinders.iter().zip(&in_pixels.cylinders) {
+        let [one, other] = [one.cylinder, other.cylinder];
+        let axis = one.distance(&other.axis_point) + one.radius;
+        assert!(axis < 0.01 && (one.radius - other.radius).abs() < 0.01, "{one:?} {other:?}");
+    }
 
     let one_each: Vec<_> = scene.views.iter().map(|view| with_camera(view, &view.lines()[..1])).collect();
     assert_eq!(fails(&one_each, &scene.direction, &options), MatchError::NoPair);

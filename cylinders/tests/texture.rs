@@ -45,6 +45,13 @@ fn seven_cylinders_before_boxes_are_found_and_nothing_else() {
     check(&TextureSetup::new(Texture::Boxes), 0..4);
 }
 
+/// Edges of boxes crowd together, so that chance makes circles among them more often than among
+/// lines that are spread evenly.
+#[test]
+fn three_cylinders_before_boxes_are_found_and_nothing_else() {
+    check(&TextureSetup { cylinders: 3, ..TextureSetup::new(Texture::Boxes) }, 100..108);
+}
+
 #[test]
 fn texture_without_cylinders_gives_none() {
     for texture in [Texture::Floor, Texture::Wall, Texture::Boxes] {

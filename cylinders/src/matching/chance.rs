@@ -8,82 +8,76 @@
 //!   p = (sum of 2 t over all rays) / (sum of the images' angles between their outermost rays)
 //! ```
 //!
-//! Each line is near a given silhouette by chance with the density `lambda = p / 2`, in units of
-//! the threshold. If a silhouette is detected with the probability `pi`, and its line is off by
-//! normal noise of the scale `s`, then the likelihood ratio of a silhouette whose nearest line is
-//! at the distance `d`, and of one without a line, is at most
+//! The distances of the nearest lines from the silhouettes of a circle have a likelihood ratio `R`
+//! ([`ratio`](super::ratio)). Three lines match by construction, and the three nearest are left out
+//! of it. The expected number of circles that are as good or better by chance is at most
 //!
 //! ```text
-//!   1 - pi + pi N(d; s) / lambda,     1 - pi
-//! ```
-//!
-//! whose mean over random lines is at most 1. So is that of their product over the silhouettes, and
-//! of its mean `R` over several `s` and `pi`: both are unknown, and are marginalised over as the
-//! scale is by Barath, Noskova, Ivashechkin & Matas, "MAGSAC++", 2020. By Markov's inequality
-//! chance reaches `R` with a probability of `1 / R` at most. Three lines match by construction, and
-//! the three nearest are left out of the product. The expected number of circles that are as good
-//! or better by chance is at most
-//!
-//! ```text
-//!   false alarms = hypotheses / (hypotheses that make the same circle) / R
+//!   false alarms = hypotheses / (hypotheses that make the same circle) * P(chance reaches R)
 //! ```
 //!
 //! A silhouette that another cylinder hides does not count: a cylinder behind others has few
 //! visible silhouettes, but nearly all of them match.
 
-use std::f64::consts::{FRAC_1_SQRT_2, TAU};
+use std::sync::Arc;
 
 use super::pair::Pair;
 use super::plan::Plan;
+use super::ratio::{ByChance, Nearest, Ratio, SCALES};
 
 /// Largest expected number of hypotheses that are accepted by chance: the usual choice in the
 /// literature.
 pub(super) const FALSE_ALARMS: f64 = 1.0;
 
-/// Standard deviations of the distances between lines and silhouettes, in thresholds: three of them
-/// are a threshold, or less in equal ratios. All are equally likely beforehand.
-pub(super) const SCALES: [f64; 8] = [
-    1.0 / 3.0,
-    FRAC_1_SQRT_2 / 3.0,
-    1.0 / 6.0,
-    FRAC_1_SQRT_2 / 6.0,
-    1.0 / 12.0,
-    FRAC_1_SQRT_2 / 12.0,
-    1.0 / 24.0,
-    FRAC_1_SQRT_2 / 24.0,
-];
-
-/// Parts of the silhouettes that are detected. All are equally likely beforehand.
-const DETECTIONS: [f64; 4] = [0.3, 0.5, 0.7, 0.9];
-
 /// Lines are sparse if a silhouette has one of them within the threshold with less than this
 /// probability.
 const SPARSE: f64 = 0.35;
+
+/// The distribution of ratios by chance is sampled again when the density of lines has fallen by
+/// this factor: it changes slowly.
+const NEARLY: f64 = 1.25;
 
 /// Number of matches that a hypothesis has by construction.
 const SAMPLE: usize = 3;
 
 /// The matches that the remaining lines give by chance.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Chance {
     /// Number of silhouettes of a circle that no other circle hides.
     silhouettes: usize,
     hypotheses: usize,
     /// `p`; not between 0 and 1 if there are no lines, or no image has two of them.
     probability: f64,
+    /// The distribution of ratios, at this probability or at a somewhat larger one.
+    by_chance: Arc<ByChance>,
 }
 
 impl Chance {
     pub(super) fn of(plan: &Plan, pairs: &[Pair]) -> Self {
+        Self::after(None, plan, pairs)
+    }
+
+    /// After lines were taken away.
+    pub(super) fn updated(&self, plan: &Plan, pairs: &[Pair]) -> Self {
+        Self::after(Some(&self.by_chance), plan, pairs)
+    }
+
+    fn after(before: Option<&Arc<ByChance>>, plan: &Plan, pairs: &[Pair]) -> Self {
         let views = plan.views();
         let free: Vec<_> = views.iter().map(|view| plan.free_lines(view)).collect();
         let covered: f64 = views.iter().zip(&free).map(|(view, &free)| 2.0 * view.threshold * free as f64).sum();
         let lines: usize = free.iter().sum();
         let hypotheses = |pair: &Pair| 2 * (lines - if pair.is_of_one_view() { free[pair.view()] } else { 2 });
+        let silhouettes = 2 * views.iter().filter(|view| !view.lines.is_empty()).count();
+        let probability = covered / views.iter().map(|view| view.span).sum::<f64>();
+        let density = 0.5 * probability;
+        let is_near = |before: &&Arc<ByChance>| before.density() <= NEARLY * density;
+        let by_chance = before.filter(is_near).map_or_else(|| ByChance::new(density, silhouettes).into(), Arc::clone);
         Self {
-            silhouettes: 2 * views.iter().filter(|view| !view.lines.is_empty()).count(),
+            silhouettes,
             hypotheses: pairs.iter().filter(|pair| pair.is_free(plan)).map(hypotheses).sum(),
-            probability: covered / views.iter().map(|view| view.span).sum::<f64>(),
+            probability,
+            by_chance,
         }
     }
 
@@ -98,29 +92,20 @@ impl Chance {
         (0..=trials).find(is_more).filter(|_| sparse).map(|successes| successes + SAMPLE)
     }
 
-    /// Expected number of hypotheses whose matches are by chance as near as these `distances`, in
-    /// units of the threshold, and the scale of the noise. `silhouettes` is the number of
-    /// silhouettes that are not hidden.
-    pub(super) fn false_alarms(&self, mut distances: Vec<f64>, silhouettes: usize) -> FalseAlarms {
-        distances.sort_unstable_by(f64::total_cmp);
-        let trials = silhouettes.saturating_sub(SAMPLE);
-        let beyond = distances.get(SAMPLE..).unwrap_or_default();
+    /// Expected number of hypotheses whose matches are by chance as near as these, and the scale of
+    /// the noise. The density of lines counts as at least that of all lines. `silhouettes` is the
+    /// number of silhouettes that are not hidden.
+    pub(super) fn false_alarms(&self, mut nearest: Vec<Nearest>, silhouettes: usize) -> FalseAlarms {
         let hypotheses = (self.hypotheses.max(1) as f64).ln();
         let density = 0.5 * self.probability;
         if !(density > 0.0 && density.is_finite()) {
             return FalseAlarms { logarithm: hypotheses, scale: SCALES[0] };
         }
-        let mut best = (f64::NEG_INFINITY, SCALES[0]);
-        let mut ratios = Vec::with_capacity(SCALES.len());
-        for scale in SCALES {
-            let of_detection = DETECTIONS.map(|detection| ratio(beyond, trials, density, scale, detection));
-            let mean = mean_of_exponentials(&of_detection);
-            ratios.push(mean);
-            if mean > best.0 {
-                best = (mean, scale);
-            }
-        }
-        FalseAlarms { logarithm: hypotheses - mean_of_exponentials(&ratios), scale: best.1 }
+        nearest.iter_mut().for_each(|line| line.density = line.density.max(density));
+        nearest.sort_unstable_by(|one, other| one.distance.total_cmp(&other.distance));
+        let trials = silhouettes.saturating_sub(SAMPLE);
+        let Ratio { logarithm, scale } = Ratio::of(nearest.get(SAMPLE..).unwrap_or_default(), trials);
+        FalseAlarms { logarithm: hypotheses + self.by_chance.logarithm(logarithm, trials), scale }
     }
 }
 
@@ -154,22 +139,6 @@ pub(super) struct FalseAlarms {
     pub(super) scale: f64,
 }
 
-/// Logarithm of the likelihood ratio of `trials` silhouettes of which some have lines at these
-/// distances.
-fn ratio(distances: &[f64], trials: usize, density: f64, scale: f64, detection: f64) -> f64 {
-    let most = detection / (density * scale * TAU.sqrt());
-    let missing = 1.0 - detection;
-    let matched: f64 = distances.iter().map(|d| (missing + most * (-0.5 * (d / scale).powi(2)).exp()).ln()).sum();
-    matched + trials.saturating_sub(distances.len()) as f64 * missing.ln()
-}
-
-/// `ln(mean(exp(x)))`.
-fn mean_of_exponentials(logarithms: &[f64]) -> f64 {
-    let most = logarithms.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let sum: f64 = logarithms.iter().map(|logarithm| (logarithm - most).exp()).sum();
-    most + (sum / logarithms.len() as f64).ln()
-}
-
 /// Probability of at least `successes` successes in `trials` trials.
 pub(crate) fn tail(trials: usize, successes: usize, probability: f64) -> f64 {
     // Without lines, or if no image has two of them, nothing is known.
@@ -193,6 +162,16 @@ fn binomial(trials: usize, successes: usize, probability: f64) -> f64 {
 mod tests {
     use super::*;
 
+    fn chance() -> Chance {
+        let by_chance = ByChance::new(0.05, 24).into();
+        Chance { silhouettes: 24, hypotheses: 1000, probability: 0.1, by_chance }
+    }
+
+    /// Lines at these distances, no denser than elsewhere.
+    fn lines(distances: impl IntoIterator<Item = f64>) -> Vec<Nearest> {
+        distances.into_iter().map(|distance| Nearest { distance, density: 0.0 }).collect()
+    }
+
     #[test]
     fn probabilities_are_those_of_coins_and_sum_to_one() {
         for (successes, expected) in [1.0, 4.0, 6.0, 4.0, 1.0].into_iter().enumerate() {
@@ -207,8 +186,8 @@ mod tests {
 
     #[test]
     fn a_circle_is_the_less_by_chance_the_more_of_its_visible_silhouettes_match_and_the_nearer() {
-        let chance = Chance { silhouettes: 24, hypotheses: 1000, probability: 0.1 };
-        let of = |distances: Vec<f64>, silhouettes| chance.false_alarms(distances, silhouettes).logarithm;
+        let chance = chance();
+        let of = |distances: Vec<f64>, silhouettes| chance.false_alarms(lines(distances), silhouettes).logarithm;
         let near = |matches: usize, distance: f64, silhouettes| of(vec![distance; matches], silhouettes);
         assert!(near(9, 0.5, 24) < near(8, 0.5, 24));
         assert!(near(8, 0.25, 24) < near(8, 0.5, 24));
@@ -216,10 +195,17 @@ mod tests {
         // A line that is far away adds next to nothing to six that are near.
         let with_far = of(vec![0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 1.0], 24);
         assert!((with_far - near(6, 0.1, 24)).abs() < 0.05, "{with_far}");
+        // So does one among many others.
+        let crowded = |density: f64| {
+            let mut lines = lines([0.1; 8]);
+            lines.iter_mut().for_each(|line| line.density = density);
+            chance.false_alarms(lines, 24).logarithm
+        };
+        assert!(crowded(0.5) > crowded(0.1) && crowded(0.1) > crowded(0.05) && crowded(0.05) == crowded(0.01));
         // Three lines say nothing.
-        assert!(near(3, 0.0, 24) > 1000.0_f64.ln() && near(3, 0.0, 3) == 1000.0_f64.ln());
+        assert!(near(3, 0.0, 24) == 1000.0_f64.ln() && near(3, 0.0, 3) == 1000.0_f64.ln());
         let unknown = Chance { probability: f64::NAN, ..chance };
-        assert_eq!(unknown.false_alarms(vec![0.1; 6], 24).logarithm, 1000.0_f64.ln());
+        assert_eq!(unknown.false_alarms(lines([0.1; 6]), 24).logarithm, 1000.0_f64.ln());
     }
 
     /// Pairs of even random numbers have a product of at most `e` with the probability
@@ -237,36 +223,13 @@ mod tests {
         assert!(joint_false_alarms(&[1e-3, 1.0, 1.0]) > 1e-3 && joint_false_alarms(&[0.01; 5]) < 1e-4);
     }
 
-    /// The mean over random lines of the ratio by which a circle stands out is at most one, so that
-    /// chance is never underestimated.
-    #[test]
-    fn the_mean_ratio_of_random_lines_is_at_most_one() {
-        let mut random = 1_u64;
-        let mut uniform = || {
-            random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (random >> 11) as f64 / (1_u64 << 53) as f64
-        };
-        for (density, scale, detection) in [(0.05, 1.0 / 3.0, 0.5), (0.5, 1.0 / 6.0, 0.9), (2.0, 1.0 / 12.0, 0.3)] {
-            let (mut sum, runs) = (0.0, 200_000);
-            for _ in 0..runs {
-                // The nearest line on either side of each of four silhouettes: distances are
-                // exponential at twice the density.
-                let nearest = (0..4).map(|_| -(1.0 - uniform()).ln() / (2.0 * density)).filter(|d| *d <= 1.0);
-                sum += ratio(&nearest.collect::<Vec<_>>(), 4, density, scale, detection).exp();
-            }
-            let mean = sum / f64::from(runs);
-            assert!(mean < 1.03, "{density} {scale} {detection}: {mean}");
-        }
-    }
-
     #[test]
     fn the_scale_is_that_of_the_distances() {
-        let chance = Chance { silhouettes: 24, hypotheses: 1000, probability: 0.1 };
+        let chance = chance();
         for scale in SCALES {
             // Quantiles of the normal distribution.
             let distances = [0.03, 0.1, 0.16, 0.23, 0.3, 0.37, 0.45, 0.53, 0.62, 0.73, 0.86, 1.02, 1.24, 1.6];
-            let distances: Vec<_> = distances.map(|quantile| quantile * scale).into();
-            let found = chance.false_alarms(distances, 20).scale;
+            let found = chance.false_alarms(lines(distances.map(|quantile| quantile * scale)), 20).scale;
             assert!((found / scale).ln().abs() < 0.5, "{found} {scale}");
         }
     }

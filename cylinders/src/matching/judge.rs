@@ -5,29 +5,44 @@ use std::f64::consts::LN_2;
 use super::band::is_band;
 use super::chance::{Chance, FalseAlarms};
 use super::model::{Model, fitted};
-use super::occlusion::hidden;
+use super::occlusion::{Sight, hidden};
 use super::pair::{Pair, is_near};
 use super::plan::{Plan, PlanMatch};
+use super::ratio::Nearest;
 use crate::cross_section::circle::{Circle, CircleFit};
+use crate::space::cylinder::Side;
 
 /// Matches are within so many standard deviations of the silhouettes.
 const DEVIATIONS: f64 = 3.0;
+
+/// Logarithm of the factor by which a match is the less likely that is seen through a circle: the
+/// match may be wrong, and a cylinder of finite length does not hide everything behind it. It never
+/// makes a circle stand out more, so that chance is not underestimated.
+const SEEN_THROUGH: f64 = LN_2;
 
 /// The lines that are free and the circles that were found.
 pub(super) struct Judge {
     chance: Chance,
     circles: Vec<Circle>,
+    /// The lines of sight of the matches of those circles.
+    sights: Vec<Sight>,
     /// Whether pairs of lines of different views are tried.
     crosses: bool,
 }
 
 impl Judge {
-    pub(super) fn new(plan: &Plan, pairs: &[Pair], found: &[Model]) -> Self {
+    pub(super) fn new(plan: &Plan, pairs: &[Pair], found: &[Model], chance: &Chance) -> Self {
         Self {
-            chance: Chance::of(plan, pairs),
+            chance: chance.updated(plan, pairs),
             circles: found.iter().map(|model| model.fit.circle).collect(),
+            sights: found.iter().flat_map(|model| sights(plan, model)).collect(),
             crosses: pairs.last().is_some_and(|pair| !pair.is_of_one_view()),
         }
+    }
+
+    /// After more circles were found.
+    pub(super) fn updated(&self, plan: &Plan, pairs: &[Pair], found: &[Model]) -> Self {
+        Self::new(plan, pairs, found, &self.chance)
     }
 
     /// The model of a hypothesis: fitted to its matches at its level, and then at each wider one.
@@ -70,7 +85,8 @@ impl Judge {
     /// Natural logarithm of the expected number of hypotheses as good as this circle by chance. It
     /// is counted on all silhouettes and on those that the circles found do not hide, because
     /// cylinders of finite length do not hide everything behind them. The smaller number counts,
-    /// doubled for the choice between the two.
+    /// doubled for the choice between the two. It grows with each match of the circles found that
+    /// this one would hide.
     fn false_alarms(&self, plan: &Plan, circle: &Circle) -> FalseAlarms {
         let (mut all, mut visible) = ((Vec::new(), 0), (Vec::new(), 0));
         for view in plan.views().iter().filter(|view| !view.lines.is_empty()) {
@@ -79,17 +95,28 @@ impl Judge {
             else {
                 continue;
             };
-            for (silhouette, hidden) in silhouettes.into_iter().zip(hidden) {
-                let distance = silhouette.map(|(_, cost)| cost.sqrt());
-                for (distances, count) in [Some(&mut all), Some(&mut visible).filter(|_| !hidden)].into_iter().flatten()
-                {
-                    distances.extend(distance);
+            let densities = plan.densities(view, circle);
+            for ((silhouette, hidden), density) in silhouettes.into_iter().zip(hidden).zip(densities) {
+                let nearest = silhouette.map(|(_, cost)| Nearest { distance: cost.sqrt(), density });
+                for (lines, count) in [Some(&mut all), Some(&mut visible).filter(|_| !hidden)].into_iter().flatten() {
+                    lines.extend(nearest);
                     *count += 1;
                 }
             }
         }
-        let [all, visible] = [all, visible].map(|(distances, count)| self.chance.false_alarms(distances, count));
+        let [all, visible] = [all, visible].map(|(lines, count)| self.chance.false_alarms(lines, count));
         let least = if visible.logarithm < all.logarithm { visible } else { all };
-        FalseAlarms { logarithm: least.logarithm + LN_2, ..least }
+        let seen_through = self.sights.iter().filter(|sight| sight.passes_through(circle)).count() as f64;
+        FalseAlarms { logarithm: least.logarithm + LN_2 + seen_through * SEEN_THROUGH, ..least }
     }
+}
+
+/// The lines of sight of the matches of a model.
+fn sights(plan: &Plan, model: &Model) -> Vec<Sight> {
+    let sight = |found: &PlanMatch| {
+        let camera = &plan.views()[plan.id(found.line).view].centre;
+        let [left, right] = Sight::of_silhouettes(camera, &model.fit.circle)?;
+        Some(if found.side == Side::Left { left } else { right })
+    };
+    model.matches.iter().filter_map(sight).collect()
 }

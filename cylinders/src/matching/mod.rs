@@ -43,6 +43,8 @@ mod options;
 mod pair;
 /// Cameras and lines in the cross-section; the lines near the silhouettes of a circle.
 mod plan;
+/// The likelihood ratio of a circle and random lines, and how often chance reaches it.
+mod ratio;
 /// The cylinders refined on their matches.
 mod refined;
 /// Extraction of cylinders one after the other, the least likely by chance first.

@@ -13,26 +13,42 @@ use nalgebra::{Point2, Vector2};
 
 use crate::cross_section::circle::Circle;
 
+/// A line of sight, from a camera to the point at which it touches a circle.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sight {
+    camera: Point2<f64>,
+    to_contact: Vector2<f64>,
+}
+
+impl Sight {
+    /// The lines of sight to the left and the right silhouette of a circle; `None` if the camera is
+    /// inside.
+    pub(super) fn of_silhouettes(camera: &Point2<f64>, circle: &Circle) -> Option<[Self; 2]> {
+        let to_centre = circle.centre - camera;
+        let square = to_centre.norm_squared();
+        let tangent_square = square - circle.radius * circle.radius;
+        let outside = tangent_square > 0.0;
+        if !outside {
+            return None;
+        }
+        let across = Vector2::new(-to_centre.y, to_centre.x) * circle.radius / tangent_square.sqrt();
+        let to_contacts = [to_centre - across, to_centre + across].map(|ray| ray * (tangent_square / square));
+        Some(to_contacts.map(|to_contact| Self { camera: *camera, to_contact }))
+    }
+
+    /// Whether it passes through a circle.
+    pub(super) fn passes_through(&self, circle: &Circle) -> bool {
+        let to_centre = circle.centre - self.camera;
+        let along = (to_centre.dot(&self.to_contact) / self.to_contact.norm_squared()).clamp(0.0, 1.0);
+        (to_centre - self.to_contact * along).norm_squared() < circle.radius * circle.radius
+    }
+}
+
 /// Whether the left and the right silhouette of a circle are hidden from a camera; `None` if the
 /// camera is inside.
 pub(super) fn hidden(camera: &Point2<f64>, circle: &Circle, others: &[Circle]) -> Option<[bool; 2]> {
-    let to_centre = circle.centre - camera;
-    let square = to_centre.norm_squared();
-    let tangent_square = square - circle.radius * circle.radius;
-    let outside = tangent_square > 0.0;
-    if !outside {
-        return None;
-    }
-    let across = Vector2::new(-to_centre.y, to_centre.x) * circle.radius / tangent_square.sqrt();
-    let sight = [to_centre - across, to_centre + across].map(|ray| ray * (tangent_square / square));
-    Some(sight.map(|sight| others.iter().any(|other| is_across(other, camera, &sight))))
-}
-
-/// Whether a line of sight from the camera passes through a circle.
-fn is_across(circle: &Circle, camera: &Point2<f64>, sight: &Vector2<f64>) -> bool {
-    let to_centre = circle.centre - camera;
-    let along = (to_centre.dot(sight) / sight.norm_squared()).clamp(0.0, 1.0);
-    (to_centre - sight * along).norm_squared() < circle.radius * circle.radius
+    let sights = Sight::of_silhouettes(camera, circle)?;
+    Some(sights.map(|sight| others.iter().any(|other| sight.passes_through(other))))
 }
 
 #[cfg(all(test, feature = "command"))]

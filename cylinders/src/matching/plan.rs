@@ -39,6 +39,9 @@ use crate::space::silhouette_distance::{DistanceUnit, MeasuredLine, Metric};
 /// of a short line, and far below the value of lines across the axis.
 const MAX_TILT: f64 = 0.05;
 
+/// Lines beside a silhouette are counted up to so many thresholds from it.
+const NEIGHBOURHOOD: f64 = 30.0;
+
 /// Largest threshold, radians.
 const MAX_THRESHOLD: f64 = 0.1;
 
@@ -279,6 +282,25 @@ impl Plan {
             square.is_some_and(|square| square <= self.tilt.square_threshold)
         };
         Some(self.silhouettes(view, circle)?.map(|found| found.filter(is_near)))
+    }
+
+    /// Number of lines for each threshold beside the left and the right silhouette of a circle, on
+    /// either side of it, without one line that matches.
+    pub(super) fn densities(&self, view: &PlanView, circle: &Circle) -> [f64; 2] {
+        let to_centre = circle.centre - view.centre;
+        let square = to_centre.norm_squared();
+        let tangent_length = (square - circle.radius * circle.radius).max(0.0).sqrt();
+        let most = NEIGHBOURHOOD * view.sine * square;
+        let [x, y] = &self.normals;
+        let mut counts = [0_usize; 2];
+        for line in view.lines.clone() {
+            let across = x[line] * to_centre.x + y[line] * to_centre.y;
+            let along = x[line] * to_centre.y - y[line] * to_centre.x;
+            let is_near = |sign: f64| (sign * across * tangent_length - along * circle.radius).abs() <= most;
+            counts[0] += usize::from(along > 0.0 && is_near(-1.0));
+            counts[1] += usize::from(along > 0.0 && is_near(1.0));
+        }
+        counts.map(|count| count.saturating_sub(1) as f64 / (2.0 * NEIGHBOURHOOD))
     }
 
     /// The line nearest to the left silhouette of a circle and the line nearest to the right one,

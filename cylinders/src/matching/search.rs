@@ -26,8 +26,9 @@ const LEVELS: [f64; 5] = [1.0, 0.5, 0.25, 0.125, 0.0625];
 /// Hypotheses are compared at so many of these levels, the widest at which lines are sparse.
 const SPARSE_LEVELS: usize = 2;
 
-/// Largest expected number of circles that are accepted by chance.
-const MOST_FALSE_ALARMS: f64 = 1.0;
+/// Largest expected number of circles that are accepted by chance: one in so many scenes that it is
+/// rarer than cylinders that are missed.
+const MOST_FALSE_ALARMS: f64 = 0.3;
 
 /// The search is repeated with less required support if there are at most so many pairs.
 const REPEATED_PAIRS: usize = 20_000;
@@ -132,8 +133,9 @@ fn search(
     let false_alarms = if floor.is_some() { f64::INFINITY } else { MOST_FALSE_ALARMS.ln() };
     let mut found: Vec<Model> = Vec::new();
     let mut least: Vec<usize> = vec![usize::MAX; plans.len()];
+    let mut chance = Chance::of(&plans[0], pairs);
     while found.len() < count {
-        let chance = Chance::of(&plans[0], pairs);
+        chance = chance.updated(&plans[0], pairs);
         let (mut next, mut lowered) = (least.clone(), false);
         let of_levels = LEVELS.iter().enumerate();
         let sparse = of_levels.filter_map(|(level, &part)| Some((level, chance.least_support(part)?)));
@@ -151,7 +153,8 @@ fn search(
         }
         least = next;
         let least_matches = options.least_support.unwrap_or(LEAST_SUPPORT);
-        let demand = Demand { least: &least, least_matches, false_alarms, count, interrupt: options.interrupt };
+        let demand =
+            Demand { least: &least, least_matches, false_alarms, count, chance: &chance, interrupt: options.interrupt };
         extract(plans, pairs, &demand, progress, &mut found);
         if options.interrupt.is_set() || floor.is_none() && pairs.len() > REPEATED_PAIRS {
             break;
@@ -173,6 +176,8 @@ struct Demand<'a> {
     false_alarms: f64,
     /// Number of models at which the search ends.
     count: usize,
+    /// What chance gives before models are taken.
+    chance: &'a Chance,
     /// What ends it before.
     interrupt: Interrupt<'a>,
 }
@@ -193,7 +198,7 @@ fn extract(
     progress: &(dyn Fn(Progress) + Sync),
     found: &mut Vec<Model>,
 ) {
-    let mut judge = Judge::new(&plans[0], pairs, found);
+    let mut judge = Judge::new(&plans[0], pairs, found, demand.chance);
     let mut candidates = Vec::new();
     for (level, &least) in demand.least.iter().enumerate().filter(|(_, least)| **least < usize::MAX) {
         progress(Progress::Pairs(pairs.len()));
@@ -222,7 +227,7 @@ fn extract(
         found.push(model);
         progress(Progress::Cylinder);
         let plans = &*plans;
-        judge = Judge::new(&plans[0], pairs, found);
+        judge = judge.updated(&plans[0], pairs, found);
         candidates = with_workspaces(candidates.len(), demand.interrupt, |workspace, index| {
             let Candidate { pair, level, ref model } = candidates[index];
             let is_free =
