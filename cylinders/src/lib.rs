@@ -80,7 +80,7 @@ pub use estimation::triangulate::{self, TriangulateError, Triangulation, triangu
 pub use estimation::warnings::{self, Warning};
 pub use matching::{
     MatchError, MatchOptions, MatchedCylinder, Matching, Progress, References, match_candidate_with, match_cylinders,
-    match_cylinders_with, match_directions, match_directions_with,
+    match_cylinders_with, match_directions, match_directions_with, match_with_wider_bound,
 };
 pub use numerics::interrupt::{Interrupt, Interrupted};
 pub use numerics::random;

@@ -3,13 +3,14 @@
 
 #![cfg(feature = "command")]
 
+use std::cell::Cell;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use eliminant_cylinders::simulation::{ParallelScene, ParallelSetup};
 use eliminant_cylinders::{
     Camera, Cylinder, DistanceUnit, LineResidual, MatchError, MatchOptions, MatchedCylinder, Matching, Progress,
     References, Side, View, default_direction_options, estimate_direction_robustly, match_cylinders,
-    match_cylinders_with,
+    match_cylinders_with, match_with_wider_bound,
 };
 use nalgebra::{Matrix3x4, Unit, Vector3};
 
@@ -97,6 +98,37 @@ fn cylinders_with_few_lines_are_found_where_chance_does_not_give_them() {
     println!("{right} of {} found, {others} others", 7 * 12);
     // A bound on chance, in place of its distribution, lets 24 of them stand out.
     assert!(right >= 42 && others <= 2, "{right} {others}");
+}
+
+#[test]
+fn the_bound_is_doubled_where_noise_fills_it_and_what_chance_gives_less_often_is_taken() {
+    let of_noise = |noise: f64| {
+        let scene = scene(&ParallelSetup { noise, ..ParallelSetup::seven_in_twelve() }, 3);
+        let options = MatchOptions::of(&scene.views);
+        let calls = Cell::new(0);
+        let search = |options: &MatchOptions| {
+            calls.set(calls.get() + 1);
+            match_cylinders(&scene.views, &scene.direction, options)
+        };
+        let (bound, matching) = match_with_wider_bound(&scene.views, &options, search).expect("cylinders");
+        let right = found(&scene, &matching).iter().flatten().count();
+        (bound / options.threshold, right, calls.get())
+    };
+    assert_eq!(of_noise(0.25), (1.0, 7, 1));
+    let (factor, right, calls) = of_noise(3.0);
+    assert!(factor == 2.0 && right >= 5 && calls == 2, "{right}");
+    // Where half of the silhouettes are missing, the wider bound is tried and lets chance in.
+    let scene = scene(&ParallelSetup { detection: 0.5, ..ParallelSetup::seven_in_twelve() }, 4);
+    let search = |options: &MatchOptions| match_cylinders(&scene.views, &scene.direction, options);
+    let options = MatchOptions::of(&scene.views);
+    let (_, matching) = match_with_wider_bound(&scene.views, &options, search).expect("cylinders");
+    let evidence = |matching: &Matching| -> f64 { matching.cylinders.iter().map(|one| -one.false_alarms.ln()).sum() };
+    let wider = MatchOptions { threshold: 2.0 * options.threshold, ..options };
+    let each = [options, wider].map(|options| search(&options).map_or(0.0, |matching| evidence(&matching)));
+    assert_eq!(evidence(&matching), each[0].max(each[1]), "{each:?}");
+    // What a wider bound cannot mend is said at once.
+    let refuse = |_: &MatchOptions| Err(MatchError::NoPair);
+    assert_eq!(match_with_wider_bound(&scene.views, &options, refuse).expect_err("an error"), MatchError::NoPair);
 }
 
 #[test]

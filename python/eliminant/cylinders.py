@@ -211,11 +211,12 @@ def match(
     """Cylinders and their silhouettes among lines without labels.
 
     `threshold` is the largest distance of a match: pixels where all cameras have a calibration,
-    radians otherwise. `count` is the largest number of cylinders, all of one direction,
-    `least_support` the least number of matches of one. `first_image` takes pairs of silhouettes in
-    the first image only. `directions` is the largest number of directions; without it all that have
-    cylinders are taken. `direction` is that of all axes, if it is known. `points` takes those of
-    the scene near a surface as evidence for the refined cylinders, too.
+    radians otherwise; without it 3 pixels or 0.001 radians, or twice as much if the lines need it.
+    `count` is the largest number of cylinders, all of one direction, `least_support` the least
+    number of matches of one. `first_image` takes pairs of silhouettes in the first image only.
+    `directions` is the largest number of directions; without it all that have cylinders are taken.
+    `direction` is that of all axes, if it is known. `points` takes those of the scene near a
+    surface as evidence for the refined cylinders, too.
     """
     if directions is not None and (count is not None or direction is not None):
         raise ValueError("`directions` goes with neither `count` nor `direction`")

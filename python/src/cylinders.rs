@@ -4,10 +4,10 @@ use eliminant_cylinders::matching::{RefinedMatch, refined_matches};
 use eliminant_cylinders::matching_report::MatchingReport;
 use eliminant_cylinders::report::Report;
 use eliminant_cylinders::{
-    CylinderLines, Estimate, Interrupt, Interrupted, JointError, JointEstimate, JointMethod, Loss, MatchError,
-    MatchOptions, Matching, Method, Radii, RansacOptions, References, RobustOptions, Scene, Side, View, estimate,
-    estimate_on_side, estimate_together, match_candidate_with, match_cylinders, match_directions_with, parse_scene,
-    with_points,
+    CylinderLines, Estimate, Interrupt, Interrupted, JointError, JointEstimate, JointMethod, Loss, MatchOptions,
+    Matching, Method, Radii, RansacOptions, References, RobustOptions, Scene, Side, View, estimate, estimate_on_side,
+    estimate_together, match_candidate_with, match_cylinders, match_directions_with, match_with_wider_bound,
+    parse_scene, with_points,
 };
 use nalgebra::{Point3, Unit, Vector3};
 use pyo3::exceptions::PyValueError;
@@ -251,37 +251,31 @@ pub(crate) fn refined(
 }
 
 impl Matcher {
-    /// The threshold and the cylinders. Without a threshold the default is doubled once, because
-    /// lines drawn by hand may need more.
+    /// The threshold and the cylinders. Without a threshold the default may be doubled.
     fn find(&self, views: &[View], interrupt: Interrupt<'_>) -> Result<(f64, Matching), String> {
         let defaults = MatchOptions::of(views);
-        let factors: &[f64] = if self.threshold.is_some() { &[1.0] } else { &[1.0, 2.0] };
         let direction = self.direction.map(unit).transpose()?;
-        let mut last = MatchError::NoPair;
-        for factor in factors {
-            let options = MatchOptions {
-                threshold: factor * self.threshold.unwrap_or(defaults.threshold),
-                references: if self.is_first_image { References::First } else { References::Every },
-                count: self.count,
-                least_support: self.least_support,
-                interrupt,
-                ..defaults
-            };
-            // A number of cylinders would be found in any direction.
-            let most = if self.count.is_some() { 1 } else { self.directions.unwrap_or(usize::MAX) };
-            let matching = match &direction {
-                Some(direction) => match_cylinders(views, direction, &options),
-                None => match_directions_with(views, most, &options, |views, direction| {
-                    match_candidate_with(views, direction, &options, &|_| {})
-                }),
-            };
-            match matching {
-                Ok(matching) => return Ok((options.threshold, matching)),
-                Err(error @ MatchError::NoCylinder { .. }) => last = error,
-                Err(error) => return Err(of_label(None, &error)),
-            }
-        }
-        Err(of_label(None, &last))
+        let options = MatchOptions {
+            threshold: self.threshold.unwrap_or(defaults.threshold),
+            references: if self.is_first_image { References::First } else { References::Every },
+            count: self.count,
+            least_support: self.least_support,
+            interrupt,
+            ..defaults
+        };
+        // A number of cylinders would be found in any direction.
+        let most = if self.count.is_some() { 1 } else { self.directions.unwrap_or(usize::MAX) };
+        let search = |options: &MatchOptions| match &direction {
+            Some(direction) => match_cylinders(views, direction, options),
+            None => match_directions_with(views, most, options, |views, direction| {
+                match_candidate_with(views, direction, options, &|_| {})
+            }),
+        };
+        let found = match self.threshold {
+            Some(threshold) => search(&options).map(|matching| (threshold, matching)),
+            None => match_with_wider_bound(views, &options, search),
+        };
+        found.map_err(|error| of_label(None, &error))
     }
 }
 

@@ -12,11 +12,10 @@ use super::found::Found;
 use super::images::ImageArguments;
 use super::output::Output;
 use super::scene::SceneArguments;
-use crate::matching::WIDER;
 use crate::progress::progress_bar;
 use crate::{
     MatchError, MatchOptions, Matching, Progress, References, View, match_candidate_with, match_cylinders_with,
-    match_directions_with,
+    match_directions_with, match_with_wider_bound,
 };
 
 /// Find cylinders and their silhouettes among unlabelled lines
@@ -31,7 +30,8 @@ pub(super) struct Arguments {
     scene: SceneArguments,
     /// Largest distance of a line from its silhouette: pixels if all cameras have a calibration
     /// (default 3), radians otherwise (default 0.001); the default is doubled once if there is no
-    /// cylinder
+    /// cylinder, or if the lines are so far off that they fill it and more speaks for what is found
+    /// then
     #[arg(long, value_name = "DISTANCE", value_parser = positive)]
     threshold: Option<f64>,
     /// Largest number of cylinders, all of one direction; by default all that are unlikely to be
@@ -77,12 +77,11 @@ pub(super) fn run(arguments: &Arguments, command: &str) -> Result<Output, Comman
         least_support: arguments.least_support,
         ..defaults
     };
-    let mut found = search(arguments, &read.views, &options).map(|matching| (options.threshold, matching));
-    if matches!(found, Err(MatchError::NoCylinder { .. })) && arguments.threshold.is_none() {
-        // Hand-drawn lines may need more than the default.
-        let options = MatchOptions { threshold: WIDER * options.threshold, ..options };
-        found = search(arguments, &read.views, &options).map(|matching| (options.threshold, matching));
-    }
+    let search = |options: &MatchOptions| search(arguments, &read.views, options);
+    let found = match arguments.threshold {
+        Some(threshold) => search(&options).map(|matching| (threshold, matching)),
+        None => match_with_wider_bound(&read.views, &options, search),
+    };
     let failure = |error| CommandError::Match { scene: arguments.scene.path().to_owned(), error };
     let (threshold, matching) = found.map_err(failure)?;
     let Found { output, scene, cylinders, tables } =

@@ -18,6 +18,8 @@
 
 /// Flat bands, which are no cylinders.
 mod band;
+/// The bound on the distance between lines and silhouettes, where it is not given.
+mod bound;
 /// Cylinders along a direction that is only supposed.
 mod candidate;
 /// Support by chance, and the support that chance does not reach.
@@ -54,13 +56,14 @@ pub(crate) mod selection;
 /// Cylinders of several directions.
 mod several;
 
+pub use bound::match_with_wider_bound;
 pub use candidate::match_candidate_with;
 pub use directions::candidate_directions;
 pub use error::MatchError;
 pub use found::{MatchedCylinder, Matching};
-pub use options::{MatchOptions, References};
 #[cfg(feature = "command")]
-pub(crate) use options::{THRESHOLD_PIXELS, WIDER};
+pub(crate) use options::THRESHOLD_PIXELS;
+pub use options::{MatchOptions, References};
 pub use refined::{RefinedMatch, refined_matches};
 pub use search::{Progress, match_cylinders, match_cylinders_with};
 pub use several::{match_directions, match_directions_with};

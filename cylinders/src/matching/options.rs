@@ -8,10 +8,6 @@ use crate::space::silhouette_distance::DistanceUnit;
 /// pixel may reach it.
 pub(crate) const THRESHOLD_PIXELS: f64 = 3.0;
 
-/// A bound that is so many times the default is wide enough for lines drawn by hand.
-#[cfg(feature = "command")]
-pub(crate) const WIDER: f64 = 2.0;
-
 /// Default of the same distance in radians: three pixels at a focal length of 3000.
 const THRESHOLD_RADIANS: f64 = 1e-3;
 

@@ -81,7 +81,7 @@ pub fn match_directions_with(
 }
 
 /// Orders of magnitude by which the matches are no chance.
-fn evidence(matching: &Matching) -> f64 {
+pub(super) fn evidence(matching: &Matching) -> f64 {
     let of_cylinder = |found: &MatchedCylinder| -found.false_alarms.max(f64::MIN_POSITIVE).log10();
     matching.cylinders.iter().map(of_cylinder).sum()
 }
