@@ -210,8 +210,8 @@ fn mass(density: f64, scale: f64) -> f64 {
     2.0 * (0..INTERVALS).map(at).sum::<f64>() / (INTERVALS as f64 * scale * TAU.sqrt())
 }
 
-/// The nearest line of a silhouette: that of a cylinder with the probability `detected`, or a random
-/// one. `None` if none is within the threshold.
+/// The nearest line of a silhouette: that of a cylinder with the probability `detected`, or a
+/// random one. `None` if none is within the threshold.
 fn draw(density: f64, scale: f64, detected: f64, random: &mut Random) -> Option<Nearest> {
     let uniform = |random: &mut Random| random.uniform(0.0, 1.0);
     if uniform(random) >= detected {
