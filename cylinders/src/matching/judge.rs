@@ -120,3 +120,74 @@ fn sights(plan: &Plan, model: &Model) -> Vec<Sight> {
     };
     model.matches.iter().filter_map(sight).collect()
 }
+
+#[cfg(all(test, feature = "command"))]
+mod tests {
+    use nalgebra::Point2;
+
+    use super::*;
+    use crate::matching::pair::pairs;
+    use crate::matching::{MatchOptions, References};
+    use crate::simulation::ParallelSetup;
+
+    /// Of two circles that match the same lines, the one that would hide lines of a circle found
+    /// stands out less, by a factor for each of those lines.
+    #[test]
+    fn a_circle_that_would_hide_matches_of_others_stands_out_less() {
+        let scene = ParallelSetup::seven_in_twelve().scene(1).expect("a scene");
+        let plan = Plan::new(&scene.views, &scene.direction, &MatchOptions::of(&scene.views)).expect("a plan");
+        let pairs = pairs(&plan, References::Every);
+        let chance = Chance::of(&plan, &pairs);
+        let alone = Judge::new(&plan, &pairs, &[], &chance);
+        let model = |index: usize| {
+            let (point, radius) = (scene.cylinders[index].axis_point, scene.cylinders[index].radius);
+            let circle = Circle { centre: plan.rectification().point(&point), radius };
+            alone.judged(&plan, &fitted(&plan, circle).expect("a fit")).expect("a model")
+        };
+        let behind = model(0);
+        let after = Judge::new(&plan, &pairs, std::slice::from_ref(&behind), &chance);
+        let change = |circle: &Circle| {
+            let [before, after] = [&alone, &after].map(|judge| judge.false_alarms(&plan, circle).logarithm);
+            after - before
+        };
+        // No true circle is in front of what is seen of another.
+        for index in 1..7 {
+            assert!(change(&model(index).fit.circle) <= 1e-12, "{index}");
+        }
+        // Half-way to the circle from a camera that sees it.
+        let camera = plan.views()[plan.id(behind.matches[0].line).view].centre;
+        let centre = Point2::from((camera.coords + behind.fit.circle.centre.coords) / 2.0);
+        let hides = Circle { centre, radius: behind.fit.circle.radius };
+        let hidden = after.sights.iter().filter(|sight| sight.passes_through(&hides)).count();
+        assert!(hidden >= 1 && (change(&hides) - hidden as f64 * SEEN_THROUGH).abs() < 1e-9, "{hidden}");
+    }
+
+    /// Lines beside a silhouette, counted by their angles.
+    #[test]
+    fn the_density_of_lines_is_that_beside_the_silhouette() {
+        let scene = ParallelSetup::seven_in_twelve().scene(2).expect("a scene");
+        let plan = Plan::new(&scene.views, &scene.direction, &MatchOptions::of(&scene.views)).expect("a plan");
+        let mut counted = 0;
+        for cylinder in &scene.cylinders {
+            let circle = Circle { centre: plan.rectification().point(&cylinder.axis_point), radius: cylinder.radius };
+            for view in plan.views() {
+                let to_centre = circle.centre - view.centre;
+                let half = (circle.radius / to_centre.norm()).asin();
+                let angles = view.lines.clone().map(|line| {
+                    let normal = plan.normal(line);
+                    let along = normal.x * to_centre.y - normal.y * to_centre.x;
+                    normal.dot(&to_centre).atan2(along)
+                });
+                let angles: Vec<f64> = angles.collect();
+                for (silhouette, density) in [-half, half].into_iter().zip(plan.densities(view, &circle)) {
+                    let is_beside = |angle: &&f64| (**angle - silhouette).abs() <= 30.0 * view.threshold;
+                    let others = angles.iter().filter(is_beside).count().saturating_sub(1);
+                    // The sine and the angle differ by less than a line in a thousand.
+                    assert!((density * 60.0 - others as f64).abs() <= 1.0, "{density} {others}");
+                    counted += others;
+                }
+            }
+        }
+        assert!(counted > 200, "{counted}");
+    }
+}
