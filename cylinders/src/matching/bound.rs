@@ -45,8 +45,8 @@ pub fn match_with_wider_bound(
     match (first, search(&wider)) {
         (Ok(first), Ok(second)) if evidence(&second) <= evidence(&first) => Ok((options.threshold, first)),
         (_, Ok(second)) => Ok((wider.threshold, second)),
-        (Ok(first), Err(_)) => Ok((options.threshold, first)),
-        (Err(_), Err(error)) => Err(error),
+        (_, Err(error @ MatchError::Interrupted(_))) => Err(error),
+        (first, Err(_)) => first.map(|matching| (options.threshold, matching)),
     }
 }
 

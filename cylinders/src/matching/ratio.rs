@@ -52,8 +52,10 @@ const DETECTIONS: [f64; 4] = [0.3, 0.5, 0.7, 0.9];
 /// So many factors neither overflow nor vanish.
 const FACTORS: usize = 16;
 
-/// Samples for each scale and part.
-const SAMPLES: usize = 64;
+/// Fewest and most samples for each scale and part, and the number of silhouettes that they have in
+/// all, so that many images do not take long.
+const SAMPLES: [usize; 2] = [4, 64];
+const SAMPLED_SILHOUETTES: usize = 2048;
 
 /// Distance between the ratios at which the probability is tabulated, as logarithms.
 const STEP: f64 = 0.5;
@@ -159,11 +161,12 @@ impl Tail {
     fn new(density: f64, silhouettes: usize) -> Self {
         let mut random = Random::new(silhouettes as u64);
         let masses = SCALES.map(|scale| mass(density, scale));
-        let mut samples = Vec::with_capacity(SCALES.len() * DETECTIONS.len() * SAMPLES);
+        let of_each = (SAMPLED_SILHOUETTES / silhouettes.max(1)).clamp(SAMPLES[0], SAMPLES[1]);
+        let mut samples = Vec::with_capacity(SCALES.len() * DETECTIONS.len() * of_each);
         for (scale, mass) in SCALES.into_iter().zip(masses) {
             for detection in DETECTIONS {
                 let detected = detection * mass / (1.0 - detection + detection * mass);
-                for _ in 0..SAMPLES {
+                for _ in 0..of_each {
                     let nearest = (0..silhouettes).filter_map(|_| draw(density, scale, detected, &mut random));
                     samples.push(weighted(&nearest.collect::<Vec<_>>(), silhouettes, &masses));
                 }
@@ -321,8 +324,8 @@ mod tests {
 
     #[test]
     fn a_larger_ratio_is_less_likely_and_markov_bounds_it() {
-        let by_chance = ByChance::new(0.05, 24);
-        for silhouettes in [0, 1, 5, 24, 25] {
+        let by_chance = ByChance::new(0.05, 3000);
+        for silhouettes in [0, 1, 5, 24, 25, 3000, 3001] {
             let of = |ratio: f64| by_chance.logarithm(ratio, silhouettes);
             let mut last = 0.0;
             for step in -100..1000 {
