@@ -15,9 +15,10 @@ use crate::space::cylinder::Side;
 /// Matches are within so many standard deviations of the silhouettes.
 const DEVIATIONS: f64 = 3.0;
 
-/// Logarithm of the factor by which a circle is less likely for each match of another that would be
-/// seen through it: the match may be wrong, and a cylinder of finite length does not hide everything
-/// behind it. It never makes a circle stand out more, so that chance is not underestimated.
+/// Logarithm of the factor by which a circle is less likely for each match of another that would
+/// be seen through it: the match may be wrong, and a cylinder of finite length does not hide
+/// everything behind it. It never makes a circle stand out more, so that chance is not
+/// underestimated.
 const SEEN_THROUGH: f64 = LN_2;
 
 /// The lines that are free and the circles that were found.
