@@ -65,5 +65,6 @@ pub use found::{MatchedCylinder, Matching};
 pub(crate) use options::THRESHOLD_PIXELS;
 pub use options::{MatchOptions, References};
 pub use refined::{RefinedMatch, refined_matches};
+pub(crate) use search::MOST_FALSE_ALARMS;
 pub use search::{Progress, match_cylinders, match_cylinders_with};
 pub use several::{match_directions, match_directions_with};

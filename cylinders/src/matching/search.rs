@@ -26,9 +26,9 @@ const LEVELS: [f64; 5] = [1.0, 0.5, 0.25, 0.125, 0.0625];
 /// Hypotheses are compared at so many of these levels, the widest at which lines are sparse.
 const SPARSE_LEVELS: usize = 2;
 
-/// Largest expected number of circles that are accepted by chance: one in so many scenes that it is
-/// rarer than cylinders that are missed.
-const MOST_FALSE_ALARMS: f64 = 0.3;
+/// Largest expected number of circles by chance that a scene is allowed: false cylinders are then
+/// rarer than those that are missed. More draw a warning where the number of cylinders is given.
+pub(crate) const MOST_FALSE_ALARMS: f64 = 0.3;
 
 /// The search is repeated with less required support if there are at most so many pairs.
 const REPEATED_PAIRS: usize = 20_000;

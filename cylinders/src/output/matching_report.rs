@@ -7,12 +7,9 @@ use serde::Serialize;
 use super::number::{number, triple};
 use super::report::{Report, ResidualReport};
 use crate::estimation::warnings::camera_warnings;
-use crate::matching::{MatchedCylinder, Matching};
+use crate::matching::{MOST_FALSE_ALARMS, MatchedCylinder, Matching};
 use crate::observations::scene::LineId;
 use crate::observations::view::View;
-
-/// Largest expected number of cylinders by chance that draws no warning.
-const FALSE_ALARMS: f64 = 1.0;
 
 /// All cylinders found, as plain numbers in the form of the JSON output.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -131,9 +128,10 @@ impl MatchingReport {
 }
 
 fn warnings(views: &[View], matching: &Matching) -> Vec<String> {
+    // The search takes them only if their number, or that of their matches, is given.
     let chance = |(index, found): (usize, &MatchedCylinder)| {
         let (number, false_alarms) = (index + 1, found.false_alarms);
-        (false_alarms > FALSE_ALARMS).then(|| {
+        (false_alarms > MOST_FALSE_ALARMS).then(|| {
             format!("cylinder {number} may be chance: {false_alarms:.1e} with as many and as near matches are expected")
         })
     };
