@@ -126,8 +126,8 @@ fn the_bound_is_doubled_where_noise_fills_it_and_what_chance_gives_less_often_is
     let wider = MatchOptions { threshold: 2.0 * options.threshold, ..options };
     let each = [options, wider].map(|options| search(&options).map_or(0.0, |matching| evidence(&matching)));
     assert_eq!(evidence(&matching), each[0].max(each[1]), "{each:?}");
-    // What a wider bound cannot mend is said at once. If both searches fail, the first error is that
-    // of the bound that the user knows, but an interruption of the second ends it.
+    // What a wider bound cannot mend is said at once. If both searches fail, the error is that of
+    // the bound that the user knows, but an interruption of the second ends it.
     let fails = |first: MatchError, second: MatchError| {
         let is_wider = |tried: &MatchOptions| tried.threshold > options.threshold;
         let search = |tried: &MatchOptions| Err(if is_wider(tried) { second } else { first });
