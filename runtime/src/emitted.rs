@@ -13,7 +13,7 @@ pub use crate::elimination::lu::{
     BlockError, BlockMemory, Eliminated, solve_block, solve_block_trailing, solve_large_block,
 };
 pub use crate::elimination::program::{
-    Operation, PolynomialProduct, ProductSum, ProductSums, Program, Run, join_into, joined, outlined,
+    Operation, PolynomialProduct, ProductSum, ProductSums, Program, Run, join_into, joined,
 };
 pub use crate::elimination::quotients::Quotients;
 pub use crate::elimination::template::{ActionRow, Block, Entry, action_matrix, check_coefficients, fill, solved_rows};
@@ -45,7 +45,7 @@ pub use crate::spectrum::real_roots::{RealRoots, real_roots};
 pub use crate::unpolished::{eigenvalues, unpolished_points};
 
 /// The version of this interface. Emitted code states the one that it was written for.
-pub const VERSION: u32 = 11;
+pub const VERSION: u32 = 12;
 
 /// The handshake of emitted code, evaluated when it is compiled.
 ///

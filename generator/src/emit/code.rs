@@ -2,10 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 use super::names::Names;
+use super::parts::{Locals, Statement, in_parts, names_in};
 use super::shapes::indices;
 use super::storage;
 use crate::expression::rational::Rational;
@@ -18,13 +19,33 @@ use crate::problem::DataParameter;
 pub(super) fn statements(plan: &Plan) -> TokenStream {
     let doc = " The coefficients that the tables refer to, from all data, one parameter after another.";
     let code = function(inputs_of(plan), (&format_ident!("coefficients"), doc), &plan.program, &plan.coefficients);
-    // Where several instances are solved side by side, with the registers of that caller.
-    quote!(#[inline(always)] #code)
+    let [inputs, count] = [plan.inputs(), plan.coefficients.len()].map(Literal::usize_unsuffixed);
+    let presolved = plan.is_presolved_at_run_time().then(|| {
+        quote! {
+            let mut data = *data;
+            self::add_presolved(&mut data);
+            let data = &data;
+        }
+    });
+    quote! {
+        // Where several instances are solved side by side, with the registers of that caller.
+        #[inline(always)]
+        #code
+
+        /// Those of one instance, compiled once for all callers.
+        #[inline(never)]
+        fn coefficients_of(data: &[f64; #inputs]) -> [f64; #count] {
+            #presolved
+            self::coefficients(1.0, data)
+        }
+    }
 }
 
-/// A longer function is not copied to those that call it: compilers take more than twice as long
-/// for twice as long a function, and a call is nothing beside it.
-const MOST_COPIED: usize = 256;
+/// A function of more operations is not copied to those that call it, and falls into parts of about
+/// so many: compilers take more than twice as long for twice as long a function, and a call is
+/// nothing beside it. The 3,948 operations of five-point on registers of 4 and 8 numbers, whole, took
+/// half of the time in which its solver was compiled.
+const MOST_TOGETHER: usize = 256;
 
 /// A function from the data to values of a program, which is called from several places and in more
 /// than one precision, but never with several instances side by side.
@@ -35,7 +56,7 @@ pub(super) fn shared_function(
     values: &[ValueId],
 ) -> TokenStream {
     let code = function(given, name, program, values);
-    let is_short = program.steps() <= MOST_COPIED;
+    let is_short = program.steps() <= MOST_TOGETHER;
     let attribute = if is_short { quote!(#[inline(always)]) } else { quote!(#[inline(never)]) };
     quote!(#attribute #code)
 }
@@ -52,66 +73,80 @@ fn function(
     program: &Program,
     values: &[ValueId],
 ) -> TokenStream {
-    let planned = Statements::of(program, values);
+    let is_short = program.steps() <= MOST_TOGETHER;
+    let planned = Statements::of(program, values, is_short);
     let inputs = inputs(given, count);
     let mut names = Names::of(given);
     names.reserve(&inputs);
-    let [slots, data, one] = ["v", "data", "one"].map(|name| names.take(name));
-    let locals = inputs_read(program, (&inputs, &data), &planned);
-    let mut statements: Vec<TokenStream> = Vec::new();
-    let mut printed: Vec<Expression> = Vec::with_capacity(program.operations.len());
-    for (operation, &place) in program.operations.iter().zip(&planned.places) {
-        let expression = Expression::of(program, *operation, &printed, (&one, &inputs));
-        printed.push(match place {
-            Place::Unread | Place::Inline => expression,
-            Place::Variable(name) => {
-                let name = names.take(&local_name(&program.names[name].1));
-                let value = expression.tokens;
-                statements.push(quote!(let #name = #value;));
-                Expression::atom(name.to_token_stream())
-            }
-            Place::Slot(slot) => {
-                let (slot, value) = (Literal::usize_unsuffixed(slot), expression.tokens);
-                statements.push(quote!(#slots[#slot] = #value;));
-                Expression::atom(quote!(#slots[#slot]))
-            }
-        });
-    }
+    let [slots, data, one, results] = ["v", "data", "one", "results"].map(|name| names.take(name));
+    let (mut statements, printed) = printed(program, &planned, (&slots, &one, &inputs), &mut names);
+    let locals = Locals { data: &data, read: inputs_read(program, &inputs, &planned) };
     let [count, length, inputs] = [planned.slots, values.len(), inputs.len()].map(Literal::usize_unsuffixed);
     let declaration = match planned.slots {
         0 => quote!(),
         _ => quote!(let mut #slots = [#one.constant(0.0); #count];),
     };
-    let results = values.iter().map(|id| &printed[id.0 as usize].tokens);
-    let results = quote!([#(#results),*]);
-    let unread = match planned.slots == 0 && !mentions(&statements, &results, &one) {
-        true => quote!(let _ = #one;),
-        false => quote!(),
+    let of_results = values.iter().map(|id| &printed[id.0 as usize]);
+    let code = if is_short {
+        let (locals, of_results) = (locals.declared(), of_results.map(|result| &result.tokens));
+        let code = statements.iter().map(|statement| &statement.tokens);
+        quote!(#locals #declaration #(#code)* [#(#of_results),*])
+    } else {
+        let of_results = of_results.enumerate().map(|(at, result)| {
+            let (at, value) = (Literal::usize_unsuffixed(at), &result.tokens);
+            Statement { tokens: quote!(#results[#at] = #value;), operations: result.operations }
+        });
+        statements.extend(of_results);
+        let parts = in_parts(&statements, MOST_TOGETHER, &one, &locals);
+        quote! {
+            #declaration
+            let mut #results = [#one.constant(0.0); #length];
+            #(#parts)*
+            #results
+        }
     };
-    let unread_data = if locals.is_empty() { quote!(let _ = #data;) } else { quote!() };
+    let named = names_in(&code);
+    let unread = [&one, &data].into_iter().filter(|name| !named.contains(&name.to_string()));
+    let unread = unread.map(|name| quote!(let _ = #name;));
     quote! {
         #[doc = #doc]
         fn #name<T: emitted::Arithmetic>(#one: T, #data: &[T; #inputs]) -> [T; #length] {
-            #unread
-            #unread_data
-            #locals
-            #declaration
-            #(#statements)*
-            #results
+            #(#unread)*
+            #code
         }
     }
 }
 
-/// Whether the code names this variable.
-fn mentions(statements: &[TokenStream], results: &TokenStream, variable: &Ident) -> bool {
-    fn names(tokens: &TokenStream, variable: &Ident) -> bool {
-        tokens.clone().into_iter().any(|token| match token {
-            TokenTree::Ident(ident) => ident == *variable,
-            TokenTree::Group(group) => names(&group.stream(), variable),
-            _ => false,
-        })
+/// The statements of a program, and how each of its values is read.
+fn printed(
+    program: &Program,
+    planned: &Statements,
+    (slots, one, inputs): (&Ident, &Ident, &[Ident]),
+    names: &mut Names,
+) -> (Vec<Statement>, Vec<Expression>) {
+    let mut statements = Vec::new();
+    let mut printed: Vec<Expression> = Vec::with_capacity(program.operations.len());
+    for (operation, &place) in program.operations.iter().zip(&planned.places) {
+        let expression = Expression::of(program, *operation, &printed, (one, inputs));
+        let Expression { tokens: value, operations, .. } = &expression;
+        let (read, tokens) = match place {
+            Place::Unread | Place::Inline => {
+                printed.push(expression);
+                continue;
+            }
+            Place::Variable(name) => {
+                let name = names.take(&local_name(&program.names[name].1));
+                (name.to_token_stream(), quote!(let #name = #value;))
+            }
+            Place::Slot(slot) => {
+                let slot = Literal::usize_unsuffixed(slot);
+                (quote!(#slots[#slot]), quote!(#slots[#slot] = #value;))
+            }
+        };
+        statements.push(Statement { tokens, operations: *operations });
+        printed.push(Expression::atom(read));
     }
-    statements.iter().chain([results]).any(|tokens| names(tokens, variable))
+    (statements, printed)
 }
 
 /// How tightly operators bind.
@@ -125,6 +160,8 @@ struct Expression {
     tokens: TokenStream,
     /// How tightly its last operator binds.
     precedence: u8,
+    /// The number of operators.
+    operations: usize,
 }
 
 impl Expression {
@@ -159,18 +196,18 @@ impl Expression {
     }
 
     fn atom(tokens: TokenStream) -> Self {
-        Self { tokens, precedence: ATOM }
+        Self { tokens, precedence: ATOM, operations: 0 }
     }
 
     /// Left operands bind as tightly without parentheses, right ones do not.
     fn binary(a: &Self, operator: TokenStream, precedence: u8, b: &Self) -> Self {
         let (left, right) = (a.at_least(precedence), b.at_least(precedence + 1));
-        Self { tokens: quote!(#left #operator #right), precedence }
+        Self { tokens: quote!(#left #operator #right), precedence, operations: a.operations + b.operations + 1 }
     }
 
     fn negated(a: &Self) -> Self {
         let operand = a.at_least(SIGN);
-        Self { tokens: quote!(-#operand), precedence: SIGN }
+        Self { tokens: quote!(-#operand), precedence: SIGN, operations: a.operations + 1 }
     }
 
     /// The first term is taken as it is, the others are added one after another.
@@ -216,14 +253,9 @@ fn inputs(data: &[DataParameter], count: usize) -> Vec<Ident> {
     }
 }
 
-/// Declarations of the data that are read: `let gram_0_2 = data[2];`.
-fn inputs_read(program: &Program, (inputs, data): (&[Ident], &Ident), statements: &Statements) -> TokenStream {
-    let declaration = |(input, local): (usize, &Ident)| {
-        let at = Literal::usize_unsuffixed(input);
-        quote!(let #local = #data[#at];)
-    };
-    let read = inputs.iter().enumerate().filter(|(input, _)| statements.reads_input(program, *input));
-    read.map(declaration).collect()
+/// The data that are read: position and name.
+fn inputs_read<'a>(program: &Program, inputs: &'a [Ident], statements: &Statements) -> Vec<(usize, &'a Ident)> {
+    inputs.iter().enumerate().filter(|(input, _)| statements.reads_input(program, *input)).collect()
 }
 
 /// `gram_0_2` for every scalar of a parameter, in flat order.

@@ -13,6 +13,7 @@ mod means;
 mod monomials;
 mod names;
 mod output;
+mod parts;
 mod program;
 mod provenance;
 mod scaling;

@@ -64,12 +64,7 @@ pub(super) fn coefficients(plan: &Plan, number: &TokenStream) -> (TokenStream, T
 /// How the coefficients are computed from `data`.
 pub(super) fn coefficients_of_data(plan: &Plan) -> TokenStream {
     match plan.program.form {
-        ProgramForm::Statements if plan.is_presolved_at_run_time() => quote!(emitted::outlined(|| {
-            let mut data = *data;
-            self::add_presolved(&mut data);
-            self::coefficients(1.0, &data)
-        })),
-        ProgramForm::Statements => quote!(emitted::outlined(|| self::coefficients(1.0, data))),
+        ProgramForm::Statements => quote!(self::coefficients_of(data)),
         ProgramForm::Table if plan.is_on_heap() => quote!(self::coefficients(data, workspace.memory())),
         ProgramForm::Table => quote!(self::coefficients(data)),
     }

@@ -46,13 +46,15 @@ pub struct Statements {
 }
 
 impl Statements {
-    /// The statements of a program that ends in these coefficients.
-    pub fn of(program: &Program, coefficients: &[ValueId]) -> Self {
+    /// The statements of a program that ends in these coefficients. Without variables, they can be
+    /// spread over several functions that share the array.
+    pub fn of(program: &Program, coefficients: &[ValueId], has_variables: bool) -> Self {
         let reads = reads(program, coefficients);
         let mut statements = Self { places: Vec::with_capacity(reads.len()), slots: 0 };
         // Operations of the expression of each value: its own and those of its inline operands.
         let mut operations: Vec<usize> = Vec::with_capacity(reads.len());
-        let names = program.names.iter().take(MOST_VARIABLES).enumerate();
+        let most = if has_variables { MOST_VARIABLES } else { 0 };
+        let names = program.names.iter().take(most).enumerate();
         let names: BTreeMap<ValueId, usize> = names.map(|(at, (id, _))| (*id, at)).collect();
         for ((id, &operation), &reads) in (0..).map(ValueId).zip(&program.operations).zip(&reads) {
             let of_operands: usize = program.read_by(operation).iter().map(|id| operations[id.0 as usize]).sum();
@@ -133,7 +135,7 @@ mod tests {
             Operation::Negate(ValueId(6)),
         ];
         let program = program(operations, Vec::new());
-        let statements = Statements::of(&program, &[last]);
+        let statements = Statements::of(&program, &[last], true);
         let places = [Place::Inline, Place::Inline, Place::Slot(0), Place::Inline, Place::Inline, Place::Inline];
         assert_eq!((&statements.places[..6], statements.slots), (places.as_slice(), 1));
         assert_eq!(statements.places[6..], [Place::Unread, Place::Unread]);
@@ -148,11 +150,13 @@ mod tests {
         let mut program = program(operations, Vec::new());
         // The last value is read by nothing, the others once.
         program.names = (1..=count).rev().map(|at| (ValueId(at), format!("v{at}"))).collect();
-        let statements = Statements::of(&program, &[ValueId(count - 1)]);
+        let statements = Statements::of(&program, &[ValueId(count - 1)], true);
         assert_eq!(statements.places[count as usize], Place::Unread);
         assert_eq!(statements.places[count as usize - 1], Place::Variable(1));
         let variables = statements.places.iter().filter(|place| matches!(place, Place::Variable(_)));
         assert_eq!(variables.count(), MOST_VARIABLES - 1);
+        let without = Statements::of(&program, &[ValueId(count - 1)], false);
+        assert!(!without.places.iter().any(|place| matches!(place, Place::Variable(_))));
     }
 
     #[test]
@@ -161,7 +165,7 @@ mod tests {
         let steps = 3 * MOST_OPERATIONS;
         operations.extend((1..=steps as u32).map(|at| Operation::Add(ValueId(at), ValueId(0))));
         let last = ValueId(operations.len() as u32 - 1);
-        let statements = Statements::of(&program(operations, Vec::new()), &[last]);
+        let statements = Statements::of(&program(operations, Vec::new()), &[last], true);
         assert_eq!(statements.slots, 3);
         assert_eq!(statements.places[1 + MOST_OPERATIONS], Place::Slot(0));
     }
@@ -175,7 +179,7 @@ mod tests {
         let mut operations = vec![Operation::Input(0), Operation::Input(1)];
         operations.extend((0..3).map(|at| Operation::Coefficient { sum: 0, at }));
         let program = program(operations, vec![sum]);
-        let statements = Statements::of(&program, &[ValueId(3)]);
+        let statements = Statements::of(&program, &[ValueId(3)], true);
         assert_eq!(statements.places, [Place::Inline, Place::Inline, Place::Unread, Place::Inline, Place::Unread]);
         // - a b - b a: two products, a negation and a subtraction.
         assert_eq!(own_operations(&program, program.operations[3]), 4);

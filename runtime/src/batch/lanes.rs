@@ -202,6 +202,11 @@ impl<S: Simd> Arithmetic for Lanes<S> {
     }
 
     #[inline(always)]
+    fn apart(self, compute: impl FnOnce()) {
+        self.token().vectorize(compute);
+    }
+
+    #[inline(always)]
     fn add_product<const A: usize, const B: usize, const N: usize>(sum: &mut [Self; N], a: &[Self; A], b: &[Self; B]) {
         for i in 0..A {
             for j in 0..B {

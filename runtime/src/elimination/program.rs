@@ -222,12 +222,6 @@ impl Program<'_> {
     }
 }
 
-/// The result of a call that is compiled as a function of its own, once for all its callers.
-#[inline(never)]
-pub fn outlined<T>(compute: impl FnOnce() -> T) -> T {
-    compute()
-}
-
 /// All data in one array, one parameter after another; data beyond I entries are dropped.
 #[inline]
 #[must_use]

@@ -22,6 +22,10 @@ pub trait Arithmetic:
     #[must_use]
     fn constant(self, x: f64) -> Self;
 
+    /// Computes in a function of its own, for the same instruction set: compilers take more than
+    /// twice as long for twice as long a function.
+    fn apart(self, compute: impl FnOnce());
+
     /// Adds the product of two polynomials, lowest coefficient first. N is A + B - 1.
     fn add_product<const A: usize, const B: usize, const N: usize>(sum: &mut [Self; N], a: &[Self; A], b: &[Self; B]);
 

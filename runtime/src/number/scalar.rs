@@ -67,6 +67,13 @@ impl<S: Scalar> Arithmetic for S {
         S::from_f64(x)
     }
 
+    /// An operation of `f64` is one instruction, and values stay in registers from one part to the
+    /// next. One at twice the precision is dozens.
+    #[inline(always)]
+    fn apart(self, compute: impl FnOnce()) {
+        if size_of::<S>() > size_of::<f64>() { outlined(compute) } else { compute() }
+    }
+
     /// It is a call, because a determinant has many products, and few lengths.
     #[inline(never)]
     fn add_product<const A: usize, const B: usize, const N: usize>(sum: &mut [S; N], a: &[S; A], b: &[S; B]) {
@@ -262,6 +269,11 @@ impl Scalar for Complex<f64> {
     fn is_finite(self) -> bool {
         self.re.is_finite() && self.im.is_finite()
     }
+}
+
+#[inline(never)]
+fn outlined(compute: impl FnOnce()) {
+    compute();
 }
 
 #[cfg(test)]
