@@ -21,7 +21,7 @@ impl Size for Dynamic {
     fn get(self) -> usize {
         self.0
     }
-    fn filled<T: Element>(self, entry: T) -> Vec<T> {
+    fn filled<T: Element + Copy>(self, entry: T) -> Vec<T> {
         vec![entry; self.0]
     }
     fn rows<V: Element>(self, row: V) -> Vec<V> {

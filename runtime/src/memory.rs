@@ -212,7 +212,7 @@ mod on_heap {
             self.size.get()
         }
         #[inline]
-        fn filled<T: Element>(self, entry: T) -> Z::Vector<T> {
+        fn filled<T: Element + Copy>(self, entry: T) -> Z::Vector<T> {
             self.size.filled(entry)
         }
         #[inline]

@@ -47,7 +47,7 @@ pub trait Size: Copy {
     /// The number of entries in use.
     fn get(self) -> usize;
     /// A vector with the same entry everywhere.
-    fn filled<T: Element>(self, entry: T) -> Self::Vector<T>;
+    fn filled<T: Element + Copy>(self, entry: T) -> Self::Vector<T>;
     /// The same row this many times.
     fn rows<V: Element>(self, row: V) -> Self::Rows<V>;
     /// An empty list.
@@ -62,7 +62,7 @@ pub type Square<Z, T> = Matrix<Z, Z, T>;
 
 /// A matrix with the same entry everywhere.
 #[inline]
-pub fn filled_matrix<R: Size, C: Size, T: Element>(rows: R, columns: C, entry: T) -> Matrix<R, C, T> {
+pub fn filled_matrix<R: Size, C: Size, T: Element + Copy>(rows: R, columns: C, entry: T) -> Matrix<R, C, T> {
     rows.rows(columns.filled(entry))
 }
 
@@ -79,12 +79,12 @@ impl<const N: usize> Size for Fixed<N> {
         N
     }
     #[inline]
-    fn filled<T: Element>(self, entry: T) -> [T; N] {
-        core::array::from_fn(|_| entry.clone())
+    fn filled<T: Element + Copy>(self, entry: T) -> [T; N] {
+        [entry; N]
     }
     #[inline]
     fn rows<V: Element>(self, row: V) -> [V; N] {
-        self.filled(row)
+        core::array::from_fn(|_| row.clone())
     }
     #[inline]
     fn list<T: Send + 'static>(self) -> ArrayVec<T, N> {
@@ -112,12 +112,12 @@ impl<const C: usize> Size for AtMost<C> {
         self.0.min(C)
     }
     #[inline]
-    fn filled<T: Element>(self, entry: T) -> [T; C] {
+    fn filled<T: Element + Copy>(self, entry: T) -> [T; C] {
         Fixed::<C>.filled(entry)
     }
     #[inline]
     fn rows<V: Element>(self, row: V) -> [V; C] {
-        self.filled(row)
+        Fixed::<C>.rows(row)
     }
     #[inline]
     fn list<T: Send + 'static>(self) -> ArrayVec<T, C> {
