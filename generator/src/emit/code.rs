@@ -78,31 +78,35 @@ fn function(
     let inputs = inputs(given, count);
     let mut names = Names::of(given);
     names.reserve(&inputs);
-    let [slots, data, one, results] = ["v", "data", "one", "results"].map(|name| names.take(name));
+    let [slots, data, one] = ["v", "data", "one"].map(|name| names.take(name));
     let (mut statements, printed) = printed(program, &planned, (&slots, &one, &inputs), &mut names);
     let locals = Locals { data: &data, read: inputs_read(program, &inputs, &planned) };
-    let [count, length, inputs] = [planned.slots, values.len(), inputs.len()].map(Literal::usize_unsuffixed);
-    let declaration = match planned.slots {
+    let mut results: Vec<TokenStream> = values.iter().map(|id| printed[id.0 as usize].tokens.clone()).collect();
+    let mut count = planned.slots;
+    if !is_short {
+        // What remains to be computed of them belongs to the parts, too.
+        for (result, id) in results.iter_mut().zip(values) {
+            let Expression { tokens: value, operations, .. } = &printed[id.0 as usize];
+            let slot = Literal::usize_unsuffixed(count);
+            statements.push(Statement { tokens: quote!(#slots[#slot] = #value;), operations: *operations });
+            *result = quote!(#slots[#slot]);
+            count += 1;
+        }
+    }
+    let [slot_count, length, inputs] = [count, values.len(), inputs.len()].map(Literal::usize_unsuffixed);
+    let declaration = match count {
         0 => quote!(),
-        _ => quote!(let mut #slots = [#one.constant(0.0); #count];),
+        _ => quote!(let mut #slots = [#one.constant(0.0); #slot_count];),
     };
-    let of_results = values.iter().map(|id| &printed[id.0 as usize]);
-    let code = if is_short {
-        let (locals, of_results) = (locals.declared(), of_results.map(|result| &result.tokens));
-        let code = statements.iter().map(|statement| &statement.tokens);
-        quote!(#locals #declaration #(#code)* [#(#of_results),*])
-    } else {
-        let of_results = of_results.enumerate().map(|(at, result)| {
-            let (at, value) = (Literal::usize_unsuffixed(at), &result.tokens);
-            Statement { tokens: quote!(#results[#at] = #value;), operations: result.operations }
-        });
-        statements.extend(of_results);
-        let parts = in_parts(&statements, MOST_TOGETHER, &one, &locals);
-        quote! {
-            #declaration
-            let mut #results = [#one.constant(0.0); #length];
-            #(#parts)*
-            #results
+    let code = match is_short {
+        true => {
+            let statements = statements.iter().map(|statement| &statement.tokens);
+            let locals = locals.declared();
+            quote!(#locals #declaration #(#statements)* [#(#results),*])
+        }
+        false => {
+            let parts = in_parts(&statements, MOST_TOGETHER, &one, &locals);
+            quote!(#declaration #(#parts)* [#(#results),*])
         }
     };
     let named = names_in(&code);
