@@ -41,10 +41,10 @@ pub(super) fn statements(plan: &Plan) -> TokenStream {
     }
 }
 
-/// A function of more operations is not copied to those that call it, and falls into parts of about
-/// so many: compilers take more than twice as long for twice as long a function, and a call is
-/// nothing beside it. The 3,948 operations of five-point on registers of 4 and 8 numbers, whole, took
-/// half of the time in which its solver was compiled.
+/// A function of more operations is not copied to those that call it, and falls into parts of
+/// about so many: compilers take more than twice as long for twice as long a function, and a call
+/// is nothing beside it. The 3,948 operations of five-point on registers of 4 and 8 numbers, whole,
+/// took half of the time in which its solver was compiled.
 const MOST_TOGETHER: usize = 256;
 
 /// A function from the data to values of a program, which is called from several places and in more

@@ -54,8 +54,8 @@ pub(super) fn names_in(code: &TokenStream) -> BTreeSet<String> {
     names
 }
 
-/// Statements in functions of their own, of about as many operations each, and about `most` at most.
-/// `one` is the variable of 1.
+/// Statements in functions of their own, of about as many operations each, and about `most` at
+/// most. `one` is the variable of 1.
 pub(super) fn in_parts(statements: &[Statement], most: usize, one: &Ident, locals: &Locals) -> Vec<TokenStream> {
     let all: usize = statements.iter().map(|statement| statement.operations).sum();
     let of_part = all.div_ceil(all.div_ceil(most).max(1)).max(1);
