@@ -34,8 +34,8 @@ hides are not seen, and nine of ten visible silhouettes are detected. The ends o
 moved by normal noise (pixels). Clutter along the direction is added up to the outlier rate: \
 the mean over the cylinders of the part of all lines that are not its silhouettes. Pairs of \
 every image are tried, and lines within the bound match, whatever the noise. A chosen bound is \
-doubled in scenes whose lines fill it, if more speaks for what is found then; its mean is shown. Told: the \
-information given to the search. If the direction is not given, it is estimated from all \
+doubled in scenes whose lines fill it, if more speaks for what is found then; its mean is \
+shown. Told: the information given to the search. If the direction is not given, it is estimated from all \
 lines; if the number of cylinders is not given, the search takes all cylinders that are \
 unlikely to be chance. Cylinders of several directions take turns in them; the directions are 25 \
 degrees or more apart, and each has its part of the clutter.\n\
