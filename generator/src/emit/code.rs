@@ -11,7 +11,7 @@ use super::shapes::indices;
 use super::storage;
 use crate::expression::rational::Rational;
 use crate::plan::program::{Operation, Program, ValueId};
-use crate::plan::statements::{Place, Statements};
+use crate::plan::statements::{MOST_TOGETHER, Place, Statements};
 use crate::plan::{Plan, PlannedBlock, PlannedRecovery, Term};
 use crate::problem::DataParameter;
 
@@ -41,12 +41,6 @@ pub(super) fn statements(plan: &Plan) -> TokenStream {
     }
 }
 
-/// A function of more operations is not copied to those that call it, and falls into parts of
-/// about so many: compilers take more than twice as long for twice as long a function, and a call
-/// is nothing beside it. The 3,948 operations of five-point on registers of 4 and 8 numbers, whole,
-/// took half of the time in which its solver was compiled.
-const MOST_TOGETHER: usize = 256;
-
 /// A function from the data to values of a program, which is called from several places and in more
 /// than one precision, but never with several instances side by side.
 pub(super) fn shared_function(
@@ -73,8 +67,7 @@ fn function(
     program: &Program,
     values: &[ValueId],
 ) -> TokenStream {
-    let is_short = program.steps() <= MOST_TOGETHER;
-    let planned = Statements::of(program, values, is_short);
+    let planned = Statements::of(program, values);
     let inputs = inputs(given, count);
     let mut names = Names::of(given);
     names.reserve(&inputs);
@@ -82,23 +75,23 @@ fn function(
     let (mut statements, printed) = printed(program, &planned, (&slots, &one, &inputs), &mut names);
     let locals = Locals { data: &data, read: inputs_read(program, &inputs, &planned) };
     let mut results: Vec<TokenStream> = values.iter().map(|id| printed[id.0 as usize].tokens.clone()).collect();
-    let mut count = planned.slots;
-    if !is_short {
+    let mut slot_count = planned.slots;
+    if !planned.is_short {
         // What remains to be computed of them belongs to the parts, too.
         for (result, id) in results.iter_mut().zip(values) {
             let Expression { tokens: value, operations, .. } = &printed[id.0 as usize];
-            let slot = Literal::usize_unsuffixed(count);
+            let slot = Literal::usize_unsuffixed(slot_count);
             statements.push(Statement { tokens: quote!(#slots[#slot] = #value;), operations: *operations });
             *result = quote!(#slots[#slot]);
-            count += 1;
+            slot_count += 1;
         }
     }
-    let [slot_count, length, inputs] = [count, values.len(), inputs.len()].map(Literal::usize_unsuffixed);
-    let declaration = match count {
+    let [count, length, inputs] = [slot_count, values.len(), inputs.len()].map(Literal::usize_unsuffixed);
+    let declaration = match slot_count {
         0 => quote!(),
-        _ => quote!(let mut #slots = [#one.constant(0.0); #slot_count];),
+        _ => quote!(let mut #slots = [#one.constant(0.0); #count];),
     };
-    let code = match is_short {
+    let code = match planned.is_short {
         true => {
             let statements = statements.iter().map(|statement| &statement.tokens);
             let locals = locals.declared();

@@ -8,8 +8,11 @@ use super::program::{Operation, Program, ValueId};
 /// Operations that a statement holds at most.
 const MOST_OPERATIONS: usize = 64;
 
-/// The largest number of variables. Values that the problem names are variables up to this limit.
-const MOST_VARIABLES: usize = 256;
+/// A program of more operations falls into functions of about so many, and is not copied to those
+/// that call it: compilers take more than twice as long for twice as long a function, and a call is
+/// nothing beside it. The 3,948 operations of five-point on registers of 4 and 8 numbers, whole,
+/// took half of the time in which its solver was compiled.
+pub const MOST_TOGETHER: usize = 256;
 
 /// Where a value of the program is in the emitted program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,7 +33,8 @@ pub enum Place {
 /// A value that is read once is part of the expression that reads it: the order of operations is
 /// the same. A value that is read more often is kept in one array. Each type that the compiler must
 /// find costs time, and thousands of variables, each with its debug information, overflow its
-/// stack. So only values that the problem names are variables. Constants and data need no place.
+/// stack. So only values that the problem names are variables, and in short programs only:
+/// functions share the array. Constants and data need no place.
 ///
 /// ```text
 ///   program    v0 = a;  v1 = b;  v2 = v0 v1;  v3 = v2 + v0;  v4 = v2 v2;  v5 = v3 - v4
@@ -43,18 +47,19 @@ pub struct Statements {
     pub places: Vec<Place>,
     /// How many values have a slot.
     pub slots: usize,
+    /// Whether all are one function.
+    pub is_short: bool,
 }
 
 impl Statements {
-    /// The statements of a program that ends in these coefficients. Without variables, they can be
-    /// spread over several functions that share the array.
-    pub fn of(program: &Program, coefficients: &[ValueId], has_variables: bool) -> Self {
+    /// The statements of a program that ends in these coefficients.
+    pub fn of(program: &Program, coefficients: &[ValueId]) -> Self {
         let reads = reads(program, coefficients);
-        let mut statements = Self { places: Vec::with_capacity(reads.len()), slots: 0 };
+        let is_short = program.steps() <= MOST_TOGETHER;
+        let mut statements = Self { places: Vec::with_capacity(reads.len()), slots: 0, is_short };
         // Operations of the expression of each value: its own and those of its inline operands.
         let mut operations: Vec<usize> = Vec::with_capacity(reads.len());
-        let most = if has_variables { MOST_VARIABLES } else { 0 };
-        let names = program.names.iter().take(most).enumerate();
+        let names = program.names.iter().enumerate().filter(|_| is_short);
         let names: BTreeMap<ValueId, usize> = names.map(|(at, (id, _))| (*id, at)).collect();
         for ((id, &operation), &reads) in (0..).map(ValueId).zip(&program.operations).zip(&reads) {
             let of_operands: usize = program.read_by(operation).iter().map(|id| operations[id.0 as usize]).sum();
@@ -135,7 +140,7 @@ mod tests {
             Operation::Negate(ValueId(6)),
         ];
         let program = program(operations, Vec::new());
-        let statements = Statements::of(&program, &[last], true);
+        let statements = Statements::of(&program, &[last]);
         let places = [Place::Inline, Place::Inline, Place::Slot(0), Place::Inline, Place::Inline, Place::Inline];
         assert_eq!((&statements.places[..6], statements.slots), (places.as_slice(), 1));
         assert_eq!(statements.places[6..], [Place::Unread, Place::Unread]);
@@ -143,20 +148,20 @@ mod tests {
     }
 
     #[test]
-    fn named_values_are_variables_up_to_a_limit() {
-        let count = 2 * MOST_VARIABLES as u32;
-        let mut operations = vec![Operation::Input(0)];
-        operations.extend((0..count).map(|at| Operation::Add(ValueId(at), ValueId(0))));
-        let mut program = program(operations, Vec::new());
-        // The last value is read by nothing, the others once.
-        program.names = (1..=count).rev().map(|at| (ValueId(at), format!("v{at}"))).collect();
-        let statements = Statements::of(&program, &[ValueId(count - 1)], true);
-        assert_eq!(statements.places[count as usize], Place::Unread);
-        assert_eq!(statements.places[count as usize - 1], Place::Variable(1));
-        let variables = statements.places.iter().filter(|place| matches!(place, Place::Variable(_)));
-        assert_eq!(variables.count(), MOST_VARIABLES - 1);
-        let without = Statements::of(&program, &[ValueId(count - 1)], false);
-        assert!(!without.places.iter().any(|place| matches!(place, Place::Variable(_))));
+    fn named_values_of_short_programs_are_variables() {
+        for (count, expected) in [(MOST_TOGETHER, MOST_TOGETHER - 1), (MOST_TOGETHER + 1, 0)] {
+            let mut operations = vec![Operation::Input(0)];
+            operations.extend((0..count as u32).map(|at| Operation::Add(ValueId(at), ValueId(0))));
+            let mut program = program(operations, Vec::new());
+            // The last value is read by nothing, the others once.
+            program.names = (1..=count as u32).rev().map(|at| (ValueId(at), format!("v{at}"))).collect();
+            let statements = Statements::of(&program, &[ValueId(count as u32 - 1)]);
+            assert_eq!(statements.is_short, count <= MOST_TOGETHER);
+            assert_eq!(statements.places[count], Place::Unread);
+            assert_eq!(statements.places[count - 1] == Place::Variable(1), statements.is_short);
+            let variables = statements.places.iter().filter(|place| matches!(place, Place::Variable(_)));
+            assert_eq!(variables.count(), expected);
+        }
     }
 
     #[test]
@@ -165,7 +170,7 @@ mod tests {
         let steps = 3 * MOST_OPERATIONS;
         operations.extend((1..=steps as u32).map(|at| Operation::Add(ValueId(at), ValueId(0))));
         let last = ValueId(operations.len() as u32 - 1);
-        let statements = Statements::of(&program(operations, Vec::new()), &[last], true);
+        let statements = Statements::of(&program(operations, Vec::new()), &[last]);
         assert_eq!(statements.slots, 3);
         assert_eq!(statements.places[1 + MOST_OPERATIONS], Place::Slot(0));
     }
@@ -179,7 +184,7 @@ mod tests {
         let mut operations = vec![Operation::Input(0), Operation::Input(1)];
         operations.extend((0..3).map(|at| Operation::Coefficient { sum: 0, at }));
         let program = program(operations, vec![sum]);
-        let statements = Statements::of(&program, &[ValueId(3)], true);
+        let statements = Statements::of(&program, &[ValueId(3)]);
         assert_eq!(statements.places, [Place::Inline, Place::Inline, Place::Unread, Place::Inline, Place::Unread]);
         // - a b - b a: two products, a negation and a subtraction.
         assert_eq!(own_operations(&program, program.operations[3]), 4);
