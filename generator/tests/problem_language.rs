@@ -2,9 +2,10 @@
 
 use eliminant_generator::algebra::Random;
 use eliminant_generator::algebra::{PRIMES, PrimeField};
-use eliminant_generator::expression::SymbolicPolynomial;
+use eliminant_generator::expression::{Expression, ExpressionId, SymbolicPolynomial};
 use eliminant_generator::problem::draw::draw_inputs;
 use eliminant_generator::problem::instance::Instance;
+use eliminant_generator::problem::output::Output;
 use eliminant_generator::problem::{DataAttribute, Problem};
 
 const FIELD: PrimeField = PrimeField::new(PRIMES[0]);
@@ -37,6 +38,20 @@ impl Sample {
             });
             FIELD.add(sum, term)
         })
+    }
+
+    /// The value of a node that may depend on the solution.
+    fn result(&self, id: ExpressionId) -> Z {
+        let of = |id| self.result(id);
+        match self.problem.graph.node(id) {
+            Expression::Unknown(number) => Z(self.point[number as usize]),
+            Expression::Add(a, b) => of(a) + of(b),
+            Expression::Subtract(a, b) => of(a) - of(b),
+            Expression::Multiply(a, b) => of(a) * of(b),
+            Expression::Divide(a, b) => over(of(a), of(b)),
+            Expression::Negate(a) => Z(0) - of(a),
+            _ => Z(self.nodes[id.index()]),
+        }
     }
 
     /// The values of the equations, left - right.
@@ -456,15 +471,20 @@ fn gradients_by_some_unknowns() {
     assert_eq!(sample.residuals(), [a * y, z(3) * x * x * y, x * x * x + a * w - w].map(|value| value.0));
 }
 
-/// What is divided and what is passed to a helper is a value of its own, the same one where it is
-/// repeated.
+/// What is divided, multiplied or passed to a helper is one node, the same one where it is repeated.
 #[test]
 fn fields_of_results_divide_in_helpers() {
-    let mut sample = Sample::new(
+    let sample = Sample::new(
         "fn parts(a: f64) -> (x, y) {
             x * y == a;
             x + y == 1;
-            Ratio { value: ratio(x + a, y) + ratio(x + a, y) * x }
+            Ratio {
+                value: ratio(x + a, y) + ratio(x + a, y) * x,
+                both: [(x + y) * (x - a), 1 / (x + a)],
+                root: sqrt((x + y) / a),
+                norm: norm([x, a]),
+                unit: normalise([x, a]),
+            }
         }
 
         fn ratio(p: f64, q: f64) -> f64 {
@@ -472,15 +492,43 @@ fn fields_of_results_divide_in_helpers() {
         }",
     );
     let (x, y, a) = (sample.unknown("x"), sample.unknown("y"), sample.input("a", 0));
-    let output = sample.problem.output.clone().unwrap();
-    for part in &output.parts {
-        let numerator = Z(sample.value(&part.numerator));
-        let value = part.denominator.as_ref().map_or(numerator, |divisor| over(numerator, Z(sample.value(divisor))));
-        sample.point.push(value.0);
-    }
-    assert_eq!(sample.point[2..], [x + a, over(z(1), x + a + y)].map(|value| value.0));
-    let value = sample.value(&output.fields[0].elements[0].numerator);
-    assert_eq!(value, over(y * (x + z(1)), x + a + y).0);
+    let graph = &sample.problem.graph;
+    let elements: Vec<ExpressionId> = sample.problem.output.iter().flat_map(Output::elements).collect();
+    let sum = over(y * (x + z(1)), x + a + y);
+    let square = |id| match graph.node(id) {
+        Expression::Root(square) => sample.result(square),
+        other => panic!("no root: {other:?}"),
+    };
+    let found = [sample.result(elements[0]), sample.result(elements[1]), sample.result(elements[2])];
+    assert_eq!((found, square(elements[3])), ([sum, (x + y) * (x - a), over(z(1), x + a)], over(x + y, a)));
+    assert_eq!(square(elements[4]), x * x + a * a);
+    let needed = graph.needed(&elements);
+    let needed = || graph.nodes().iter().zip(&needed).filter(|(_, needed)| **needed).map(|(node, _)| node);
+    assert_eq!(needed().filter(|node| matches!(node, Expression::Root(_))).count(), 2, "the norm is taken once");
+    assert_eq!(needed().filter(|node| matches!(node, Expression::Divide(..))).count(), 4, "and the ratio");
+    assert!(elements.iter().all(|&id| graph.is_of_solution(id)) && !graph.is_of_solution(graph.input(0)));
+}
+
+/// A result that does not depend on the solution after all is an expression in the data, and one
+/// that is written with a solution is no coefficient.
+#[test]
+fn results_do_not_hide_data() {
+    let sample = Sample::new(
+        "fn hidden(a: f64, b: f64) -> (x, y) {
+            let plain = a * b;
+            x + y == a;
+            x * y == b;
+            Sums { first: square(x + a) - x * x - 2 * a * x, second: square(x + b) - square(x + b) + plain }
+        }
+
+        fn square(p: f64) -> f64 {
+            p * p
+        }",
+    );
+    let (a, b) = (sample.input("a", 0), sample.input("b", 0));
+    let elements: Vec<ExpressionId> = sample.problem.output.iter().flat_map(Output::elements).collect();
+    assert_eq!([0, 1].map(|at| sample.result(elements[at])), [a * a, a * b]);
+    assert!(!sample.problem.graph.is_of_solution(elements[1]));
 }
 
 #[test]

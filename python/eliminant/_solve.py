@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, NamedTuple, Tuple
+from typing import Any, Dict, Iterable, NamedTuple, Optional, Tuple
 
 from . import _eliminant
 from ._arrays import Array, Shape, data
@@ -78,20 +78,37 @@ directions in space, and are not among them.
 """
 
 
-def solve(name: str, *values: Any, progress: Progress = None) -> Solutions:
+def solve(
+    name: str, *values: Any, results: Optional[Iterable[str]] = None, progress: Progress = None
+) -> Solutions:
     """The real solutions of one instance, or of a batch.
+
+    `results` has the names of the results to compute, all by default.
 
     Raises `SolveError` where the data of one instance are not finite, or degenerate. In a batch the
     status of the instance says so.
     """
     solver = SOLVERS[name]
     arrays, count = data(solver.data, HOMOGENEOUS.get(name, ()), values)
+    wanted = _wanted(solver, results)
+    names = [name for name, _ in wanted]
     if count < 0:
-        solved = _eliminant.solve_one(solver.number, arrays)
+        solved = _eliminant.solve_one(solver.number, arrays, names)
     else:
         with counted(progress, name, " instances") as report:
-            solved = _eliminant.solve_batch(solver.number, arrays, count, report)
-    return arranged(solver.fields, solver.results, solver.most, solved, count >= 0)
+            solved = _eliminant.solve_batch(solver.number, arrays, count, names, report)
+    return arranged(solver.fields, wanted, solver.most, solved, count >= 0)
+
+
+def _wanted(solver: Solver, names: Optional[Iterable[str]]) -> Named:
+    """The results of these names."""
+    if names is None:
+        return solver.results
+    wanted = {names} if isinstance(names, str) else set(names)
+    known = [name for name, _ in solver.results]
+    for name in sorted(wanted.difference(known), key=str):
+        raise ValueError(f"`{solver.name}` has no result `{name}`: there are {', '.join(known) or 'none'}")
+    return tuple(result for result in solver.results if result[0] in wanted)
 
 
 def mean(name: str, *values: Any) -> Array:

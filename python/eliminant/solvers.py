@@ -4,12 +4,15 @@ Each takes the data of one instance, or arrays of the data of n instances. Data 
 a batch hold for all. Batches are solved on all cores, without the lock of the interpreter.
 `progress` is called with the number of instances that are done and of all; by default a long batch
 has a bar where tqdm is installed and standard error is a terminal or this is a notebook, and with
-False it has none.
+False it has none. `results` has the names of the results to return, all by default; each
+array that is left out saves the time to fill it.
 
 Written by `tools/write_solvers.py` from the problems in `templates/`.
 """
 
 from __future__ import annotations
+
+from typing import Iterable, Optional
 
 import numpy.typing as npt
 
@@ -90,6 +93,7 @@ __all__ = [
 def calibration_6_receivers_4_senders(
     ranges: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Positions of six receivers and four senders from all ranges between them: 38 solutions, of which
@@ -127,10 +131,15 @@ def calibration_6_receivers_4_senders(
     - `senders`: (4, 3)
     - `receivers`: (6, 3)
     """
-    return _solve("calibration_6_receivers_4_senders", ranges, progress=progress)
+    return _solve("calibration_6_receivers_4_senders", ranges, results=results, progress=progress)
 
 
-def circle_least_squares(gram: npt.ArrayLike, *, progress: Progress = None) -> Solutions:
+def circle_least_squares(
+    gram: npt.ArrayLike,
+    *,
+    results: Optional[Iterable[str]] = None,
+    progress: Progress = None,
+) -> Solutions:
     """Circle tangent to n lines in the least-squares sense: the stationary points of the constrained
     dual conic, 9 solutions.
 
@@ -162,10 +171,15 @@ def circle_least_squares(gram: npt.ArrayLike, *, progress: Progress = None) -> S
     - `squared_radius`: ()
     - `cost`: ()
     """
-    return _solve("circle_least_squares", gram, progress=progress)
+    return _solve("circle_least_squares", gram, results=results, progress=progress)
 
 
-def circle_least_squares_dual(gram: npt.ArrayLike, *, progress: Progress = None) -> Solutions:
+def circle_least_squares_dual(
+    gram: npt.ArrayLike,
+    *,
+    results: Optional[Iterable[str]] = None,
+    progress: Progress = None,
+) -> Solutions:
     """Circle tangent to n lines in the least-squares sense, in three unknowns of the dual conic, 9
     solutions.
 
@@ -189,7 +203,7 @@ def circle_least_squares_dual(gram: npt.ArrayLike, *, progress: Progress = None)
     - `squared_radius`: ()
     - `cost`: ()
     """
-    return _solve("circle_least_squares_dual", gram, progress=progress)
+    return _solve("circle_least_squares_dual", gram, results=results, progress=progress)
 
 
 def circle_least_squares_dual_mean_of_line(line: npt.ArrayLike) -> Array:
@@ -252,6 +266,7 @@ def fundamental_7pt(
     first: npt.ArrayLike,
     second: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Fundamental matrix of two cameras from seven points: 3 solutions.
@@ -275,13 +290,14 @@ def fundamental_7pt(
 
     - `fundamental`: (3, 3)
     """
-    return _solve("fundamental_7pt", first, second, progress=progress)
+    return _solve("fundamental_7pt", first, second, results=results, progress=progress)
 
 
 def fundamental_8pt(
     first: npt.ArrayLike,
     second: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Fundamental matrix of two cameras from eight points: 1 solution.
@@ -306,13 +322,14 @@ def fundamental_8pt(
 
     - `fundamental`: (3, 3)
     """
-    return _solve("fundamental_8pt", first, second, progress=progress)
+    return _solve("fundamental_8pt", first, second, results=results, progress=progress)
 
 
 def fundamental_8pt_radial(
     first: npt.ArrayLike,
     second: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Fundamental matrix and the radial distortion common to both cameras from eight points: 16
@@ -345,13 +362,14 @@ def fundamental_8pt_radial(
     - `fundamental`: (3, 3)
     - `radial`: ()
     """
-    return _solve("fundamental_8pt_radial", first, second, progress=progress)
+    return _solve("fundamental_8pt_radial", first, second, results=results, progress=progress)
 
 
 def fundamental_8pt_radial_one_side(
     first: npt.ArrayLike,
     second: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Fundamental matrix and radial distortion of the second camera from eight points: 8 solutions.
@@ -384,13 +402,14 @@ def fundamental_8pt_radial_one_side(
     - `fundamental`: (3, 3)
     - `radial`: ()
     """
-    return _solve("fundamental_8pt_radial_one_side", first, second, progress=progress)
+    return _solve("fundamental_8pt_radial_one_side", first, second, results=results, progress=progress)
 
 
 def fundamental_9pt_two_radials(
     first: npt.ArrayLike,
     second: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Fundamental matrix and the two different radial distortions of two cameras from nine points: 24
@@ -425,13 +444,14 @@ def fundamental_9pt_two_radials(
     - `fundamental`: (3, 3)
     - `radials`: (2,)
     """
-    return _solve("fundamental_9pt_two_radials", first, second, progress=progress)
+    return _solve("fundamental_9pt_two_radials", first, second, results=results, progress=progress)
 
 
 def homography_4pt(
     first: npt.ArrayLike,
     second: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Homography of two images of a plane, or of two cameras with one centre, from four points: 1
@@ -459,7 +479,7 @@ def homography_4pt(
 
     - `homography`: (3, 3)
     """
-    return _solve("homography_4pt", first, second, progress=progress)
+    return _solve("homography_4pt", first, second, results=results, progress=progress)
 
 
 def katsura_5(*, progress: Progress = None) -> Solutions:
@@ -484,7 +504,12 @@ def katsura_5(*, progress: Progress = None) -> Solutions:
     return _solve("katsura_5", progress=progress)
 
 
-def orbit_5_lines_of_sight(sights: npt.ArrayLike, *, progress: Progress = None) -> Solutions:
+def orbit_5_lines_of_sight(
+    sights: npt.ArrayLike,
+    *,
+    results: Optional[Iterable[str]] = None,
+    progress: Progress = None,
+) -> Solutions:
     """Keplerian orbit from five lines of sight without times: 66 solutions.
 
     Mancini, Duff, Leykin, Christian, "Geometric solution to the angles-only initial orbit
@@ -522,7 +547,7 @@ def orbit_5_lines_of_sight(sights: npt.ArrayLike, *, progress: Progress = None) 
     - `eccentricity`: (3,)
     - `semi_latus_rectum`: ()
     """
-    return _solve("orbit_5_lines_of_sight", sights, progress=progress)
+    return _solve("orbit_5_lines_of_sight", sights, results=results, progress=progress)
 
 
 def platform_forward_kinematics(
@@ -530,6 +555,7 @@ def platform_forward_kinematics(
     platform: npt.ArrayLike,
     lengths: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Forward kinematics of the general Stewart-Gough platform, all poses with given lengths of its
@@ -572,7 +598,7 @@ def platform_forward_kinematics(
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("platform_forward_kinematics", base, platform, lengths, progress=progress)
+    return _solve("platform_forward_kinematics", base, platform, lengths, results=results, progress=progress)
 
 
 def pose_1pt_2line(
@@ -581,6 +607,7 @@ def pose_1pt_2line(
     normals: npt.ArrayLike,
     lines: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Pose of a calibrated camera from a point and two lines: 8 solutions, of which those with the
@@ -613,7 +640,7 @@ def pose_1pt_2line(
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("pose_1pt_2line", ray, point, normals, lines, progress=progress)
+    return _solve("pose_1pt_2line", ray, point, normals, lines, results=results, progress=progress)
 
 
 def pose_2pt_1line(
@@ -622,6 +649,7 @@ def pose_2pt_1line(
     normal: npt.ArrayLike,
     line: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Pose of a calibrated camera from two points and a line: at most 2 solutions, those with the
@@ -656,13 +684,14 @@ def pose_2pt_1line(
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("pose_2pt_1line", rays, points, normal, line, progress=progress)
+    return _solve("pose_2pt_1line", rays, points, normal, line, results=results, progress=progress)
 
 
 def pose_2pt_upright(
     rays: npt.ArrayLike,
     points: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Pose of a camera whose vertical is known, as by an inertial sensor, from two points: 2
@@ -693,7 +722,7 @@ def pose_2pt_upright(
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("pose_2pt_upright", rays, points, progress=progress)
+    return _solve("pose_2pt_upright", rays, points, results=results, progress=progress)
 
 
 def pose_35pt_focal(
@@ -701,6 +730,7 @@ def pose_35pt_focal(
     horizontal: npt.ArrayLike,
     vertical: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Pose and focal length of a camera from three points and one image coordinate of a fourth: 10
@@ -733,13 +763,14 @@ def pose_35pt_focal(
     - `translation`: (3,)
     - `focal`: ()
     """
-    return _solve("pose_35pt_focal", points, horizontal, vertical, progress=progress)
+    return _solve("pose_35pt_focal", points, horizontal, vertical, results=results, progress=progress)
 
 
 def pose_3line(
     normals: npt.ArrayLike,
     lines: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Pose of a calibrated camera from three lines: 8 solutions.
@@ -770,10 +801,16 @@ def pose_3line(
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("pose_3line", normals, lines, progress=progress)
+    return _solve("pose_3line", normals, lines, results=results, progress=progress)
 
 
-def pose_3pt(rays: npt.ArrayLike, points: npt.ArrayLike, *, progress: Progress = None) -> Solutions:
+def pose_3pt(
+    rays: npt.ArrayLike,
+    points: npt.ArrayLike,
+    *,
+    results: Optional[Iterable[str]] = None,
+    progress: Progress = None,
+) -> Solutions:
     """Pose of a calibrated camera from three points: at most 4 of 8 solutions, in front of the camera.
 
     The problem `pose_3pt_depths` from measurements. `rays[k]` is the ray of point k in the camera,
@@ -796,7 +833,7 @@ def pose_3pt(rays: npt.ArrayLike, points: npt.ArrayLike, *, progress: Progress =
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("pose_3pt", rays, points, progress=progress)
+    return _solve("pose_3pt", rays, points, results=results, progress=progress)
 
 
 def pose_3pt_depths(
@@ -835,6 +872,7 @@ def pose_3pt_upright_error_bound(
     images: npt.ArrayLike,
     bound: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Poses of a camera with known vertical direction in which the errors of three points equal their
@@ -870,13 +908,14 @@ def pose_3pt_upright_error_bound(
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("pose_3pt_upright_error_bound", points, images, bound, progress=progress)
+    return _solve("pose_3pt_upright_error_bound", points, images, bound, results=results, progress=progress)
 
 
 def pose_4pt_focal(
     points: npt.ArrayLike,
     images: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     r"""Pose and focal lengths of a camera from four points: 8 solutions, of which those with the points
@@ -908,13 +947,14 @@ def pose_4pt_focal(
     - `translation`: (3,)
     - `focal`: (2,)
     """
-    return _solve("pose_4pt_focal", points, images, progress=progress)
+    return _solve("pose_4pt_focal", points, images, results=results, progress=progress)
 
 
 def pose_4pt_focal_radial(
     points: npt.ArrayLike,
     images: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     r"""Pose, focal length and radial distortion of a camera from four points: 16 solutions.
@@ -946,13 +986,14 @@ def pose_4pt_focal_radial(
     - `focal`: ()
     - `radial`: ()
     """
-    return _solve("pose_4pt_focal_radial", points, images, progress=progress)
+    return _solve("pose_4pt_focal_radial", points, images, results=results, progress=progress)
 
 
 def pose_4pt_focal_radial_cut(
     points: npt.ArrayLike,
     images: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     r"""Pose, focal length and radial distortion of a camera from four points, without the degenerate
@@ -985,7 +1026,7 @@ def pose_4pt_focal_radial_cut(
     - `focal`: ()
     - `radial`: ()
     """
-    return _solve("pose_4pt_focal_radial_cut", points, images, progress=progress)
+    return _solve("pose_4pt_focal_radial_cut", points, images, results=results, progress=progress)
 
 
 def pose_4pt_generalized_scale(
@@ -993,6 +1034,7 @@ def pose_4pt_generalized_scale(
     rays: npt.ArrayLike,
     points: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Pose and scale of a generalised camera from four points: 8 solutions, of which those with a
@@ -1025,7 +1067,7 @@ def pose_4pt_generalized_scale(
     - `scale`: ()
     - `residual`: ()
     """
-    return _solve("pose_4pt_generalized_scale", centres, rays, points, progress=progress)
+    return _solve("pose_4pt_generalized_scale", centres, rays, points, results=results, progress=progress)
 
 
 def pose_4pt_upright_error_bound(
@@ -1033,6 +1075,7 @@ def pose_4pt_upright_error_bound(
     images: npt.ArrayLike,
     bound: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Poses of a camera with known vertical direction in which the errors of four points equal their
@@ -1066,7 +1109,7 @@ def pose_4pt_upright_error_bound(
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("pose_4pt_upright_error_bound", points, images, bound, progress=progress)
+    return _solve("pose_4pt_upright_error_bound", points, images, bound, results=results, progress=progress)
 
 
 def pose_5pt_refraction(
@@ -1074,6 +1117,7 @@ def pose_5pt_refraction(
     points: npt.ArrayLike,
     index: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Pose of a calibrated camera that looks at five points through a plane at which light is
@@ -1110,7 +1154,7 @@ def pose_5pt_refraction(
     - `rotation`: (3, 3)
     - `centre`: (3,)
     """
-    return _solve("pose_5pt_refraction", rays, points, index, progress=progress)
+    return _solve("pose_5pt_refraction", rays, points, index, results=results, progress=progress)
 
 
 def pose_5tdoa_two_receivers(
@@ -1118,6 +1162,7 @@ def pose_5tdoa_two_receivers(
     differences: npt.ArrayLike,
     distance: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Pose of two receivers close to each other from the time differences with which they hear five
@@ -1150,13 +1195,14 @@ def pose_5tdoa_two_receivers(
     - `direction`: (3,)
     - `centre`: (3,)
     """
-    return _solve("pose_5tdoa_two_receivers", senders, differences, distance, progress=progress)
+    return _solve("pose_5tdoa_two_receivers", senders, differences, distance, results=results, progress=progress)
 
 
 def pose_6pt_rolling_shutter(
     points: npt.ArrayLike,
     images: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     r"""Pose and motion of a camera with rolling shutter from six points: 20 solutions.
@@ -1192,10 +1238,15 @@ def pose_6pt_rolling_shutter(
     - `angular_velocity`: (3,)
     - `velocity`: (3,)
     """
-    return _solve("pose_6pt_rolling_shutter", points, images, progress=progress)
+    return _solve("pose_6pt_rolling_shutter", points, images, results=results, progress=progress)
 
 
-def pose_npt_direct_least_squares(means: npt.ArrayLike, *, progress: Progress = None) -> Solutions:
+def pose_npt_direct_least_squares(
+    means: npt.ArrayLike,
+    *,
+    results: Optional[Iterable[str]] = None,
+    progress: Progress = None,
+) -> Solutions:
     """Pose of a calibrated camera from n points, all stationary points of a least-squares cost in
     Cayley parameters: 27 solutions.
 
@@ -1224,7 +1275,7 @@ def pose_npt_direct_least_squares(means: npt.ArrayLike, *, progress: Progress = 
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("pose_npt_direct_least_squares", means, progress=progress)
+    return _solve("pose_npt_direct_least_squares", means, results=results, progress=progress)
 
 
 def pose_npt_direct_least_squares_mean_of_point(ray: npt.ArrayLike, point: npt.ArrayLike) -> Array:
@@ -1241,7 +1292,12 @@ def pose_npt_direct_least_squares_mean_of_point(ray: npt.ArrayLike, point: npt.A
     return _mean("pose_npt_direct_least_squares_mean_of_point", ray, point)
 
 
-def pose_npt_least_squares_cayley(means: npt.ArrayLike, *, progress: Progress = None) -> Solutions:
+def pose_npt_least_squares_cayley(
+    means: npt.ArrayLike,
+    *,
+    results: Optional[Iterable[str]] = None,
+    progress: Progress = None,
+) -> Solutions:
     """Pose of a calibrated camera from n points, all stationary points of a least-squares cost over
     the rotations, by Cayley parameters: 40 solutions.
 
@@ -1268,7 +1324,7 @@ def pose_npt_least_squares_cayley(means: npt.ArrayLike, *, progress: Progress = 
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("pose_npt_least_squares_cayley", means, progress=progress)
+    return _solve("pose_npt_least_squares_cayley", means, results=results, progress=progress)
 
 
 def pose_npt_least_squares_cayley_mean_of_point(ray: npt.ArrayLike, point: npt.ArrayLike) -> Array:
@@ -1288,6 +1344,7 @@ def pose_npt_least_squares_cayley_mean_of_point(ray: npt.ArrayLike, point: npt.A
 def pose_npt_least_squares_quaternion(
     means: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Pose of a calibrated camera from n points, all stationary points of a least-squares cost in a
@@ -1320,7 +1377,7 @@ def pose_npt_least_squares_quaternion(
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("pose_npt_least_squares_quaternion", means, progress=progress)
+    return _solve("pose_npt_least_squares_quaternion", means, results=results, progress=progress)
 
 
 def pose_npt_least_squares_quaternion_mean_of_point(
@@ -1341,7 +1398,12 @@ def pose_npt_least_squares_quaternion_mean_of_point(
     return _mean("pose_npt_least_squares_quaternion_mean_of_point", image, point)
 
 
-def pose_npt_weak_perspective(means: npt.ArrayLike, *, progress: Progress = None) -> Solutions:
+def pose_npt_weak_perspective(
+    means: npt.ArrayLike,
+    *,
+    results: Optional[Iterable[str]] = None,
+    progress: Progress = None,
+) -> Solutions:
     """Pose of a weak-perspective camera from n points, all stationary points of the least-squares
     cost: 16 solutions.
 
@@ -1375,7 +1437,7 @@ def pose_npt_weak_perspective(means: npt.ArrayLike, *, progress: Progress = None
     - `scale`: ()
     - `translation`: (2,)
     """
-    return _solve("pose_npt_weak_perspective", means, progress=progress)
+    return _solve("pose_npt_weak_perspective", means, results=results, progress=progress)
 
 
 def pose_npt_weak_perspective_mean_of_point(image: npt.ArrayLike, point: npt.ArrayLike) -> Array:
@@ -1397,6 +1459,7 @@ def relpose_3pt_angle_zero_screw(
     second: npt.ArrayLike,
     half_angle: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Relative pose of two calibrated cameras from three point correspondences where the motion turns
@@ -1433,7 +1496,7 @@ def relpose_3pt_angle_zero_screw(
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("relpose_3pt_angle_zero_screw", first, second, half_angle, progress=progress)
+    return _solve("relpose_3pt_angle_zero_screw", first, second, half_angle, results=results, progress=progress)
 
 
 def relpose_3pt_depths(
@@ -1442,6 +1505,7 @@ def relpose_3pt_depths(
     second: npt.ArrayLike,
     second_depths: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Relative pose of two calibrated cameras from three points with depths that are known up to scale
@@ -1478,13 +1542,14 @@ def relpose_3pt_depths(
     - `scale`: ()
     - `shifts`: (2,)
     """
-    return _solve("relpose_3pt_depths", first, first_depths, second, second_depths, progress=progress)
+    return _solve("relpose_3pt_depths", first, first_depths, second, second_depths, results=results, progress=progress)
 
 
 def relpose_3pt_upright(
     first: npt.ArrayLike,
     second: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Relative pose of two cameras whose vertical is known, as by an inertial sensor, from three
@@ -1515,7 +1580,7 @@ def relpose_3pt_upright(
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("relpose_3pt_upright", first, second, progress=progress)
+    return _solve("relpose_3pt_upright", first, second, results=results, progress=progress)
 
 
 def relpose_4pt_angle(
@@ -1523,6 +1588,7 @@ def relpose_4pt_angle(
     second: npt.ArrayLike,
     half_angle: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Relative pose of two calibrated cameras with a known angle of rotation from four point
@@ -1561,7 +1627,7 @@ def relpose_4pt_angle(
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("relpose_4pt_angle", first, second, half_angle, progress=progress)
+    return _solve("relpose_4pt_angle", first, second, half_angle, results=results, progress=progress)
 
 
 def relpose_5pt(basis: npt.ArrayLike, *, progress: Progress = None) -> Solutions:
@@ -1592,6 +1658,7 @@ def relpose_5pt_generalized_angle(
     second: npt.ArrayLike,
     half_angle: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Relative pose of two generalized cameras with a known angle of rotation from five point
@@ -1628,13 +1695,14 @@ def relpose_5pt_generalized_angle(
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("relpose_5pt_generalized_angle", first, second, half_angle, progress=progress)
+    return _solve("relpose_5pt_generalized_angle", first, second, half_angle, results=results, progress=progress)
 
 
 def relpose_5pt_rays(
     first: npt.ArrayLike,
     second: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Relative pose of two calibrated cameras from five points: 10 essential matrices.
@@ -1663,7 +1731,7 @@ def relpose_5pt_rays(
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("relpose_5pt_rays", first, second, progress=progress)
+    return _solve("relpose_5pt_rays", first, second, results=results, progress=progress)
 
 
 def relpose_5pt_semi_generalized_focal(
@@ -1673,6 +1741,7 @@ def relpose_5pt_semi_generalized_focal(
     centres: npt.ArrayLike,
     directions: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Pose and focal length of a camera from five points that calibrated cameras of known poses see,
@@ -1716,7 +1785,7 @@ def relpose_5pt_semi_generalized_focal(
     - `translation`: (3,)
     - `focal`: ()
     """
-    return _solve("relpose_5pt_semi_generalized_focal", point, image, images, centres, directions, progress=progress)
+    return _solve("relpose_5pt_semi_generalized_focal", point, image, images, centres, directions, results=results, progress=progress)
 
 
 def relpose_6pt_focal(basis: npt.ArrayLike, *, progress: Progress = None) -> Solutions:
@@ -1747,6 +1816,7 @@ def relpose_6pt_focal_one_side(
     first: npt.ArrayLike,
     second: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Relative pose of a camera with unknown focal length and a calibrated one from six points: 9
@@ -1776,13 +1846,14 @@ def relpose_6pt_focal_one_side(
     - `fundamental`: (3, 3)
     - `focal`: ()
     """
-    return _solve("relpose_6pt_focal_one_side", first, second, progress=progress)
+    return _solve("relpose_6pt_focal_one_side", first, second, results=results, progress=progress)
 
 
 def relpose_6pt_focal_points(
     first: npt.ArrayLike,
     second: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Relative pose of two cameras with one unknown shared focal length from six points: 15 solutions,
@@ -1815,13 +1886,14 @@ def relpose_6pt_focal_points(
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("relpose_6pt_focal_points", first, second, progress=progress)
+    return _solve("relpose_6pt_focal_points", first, second, results=results, progress=progress)
 
 
 def relpose_6pt_generalized(
     first: npt.ArrayLike,
     second: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Relative pose of two generalized cameras from six point correspondences: 64 solutions.
@@ -1852,13 +1924,14 @@ def relpose_6pt_generalized(
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("relpose_6pt_generalized", first, second, progress=progress)
+    return _solve("relpose_6pt_generalized", first, second, results=results, progress=progress)
 
 
 def relpose_6pt_radial(
     first: npt.ArrayLike,
     second: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """The essential matrix and the radial distortion common to two otherwise calibrated cameras from
@@ -1894,13 +1967,14 @@ def relpose_6pt_radial(
     - `essential`: (3, 3)
     - `radial`: ()
     """
-    return _solve("relpose_6pt_radial", first, second, progress=progress)
+    return _solve("relpose_6pt_radial", first, second, results=results, progress=progress)
 
 
 def relpose_7pt_angle_focal_centre(
     fundamental: npt.ArrayLike,
     half_angle: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     r"""Focal length and principal point common to two cameras from their fundamental matrix and the
@@ -1933,13 +2007,14 @@ def relpose_7pt_angle_focal_centre(
     - `focal`: ()
     - `centre`: (2,)
     """
-    return _solve("relpose_7pt_angle_focal_centre", fundamental, half_angle, progress=progress)
+    return _solve("relpose_7pt_angle_focal_centre", fundamental, half_angle, results=results, progress=progress)
 
 
 def relpose_7pt_focal_radial(
     first: npt.ArrayLike,
     second: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Relative pose, focal length and radial distortion common to two cameras from seven point
@@ -1982,13 +2057,14 @@ def relpose_7pt_focal_radial(
     - `focal`: ()
     - `radial`: ()
     """
-    return _solve("relpose_7pt_focal_radial", first, second, progress=progress)
+    return _solve("relpose_7pt_focal_radial", first, second, results=results, progress=progress)
 
 
 def relpose_7pt_focal_radial_one_side(
     first: npt.ArrayLike,
     second: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Relative pose, focal length and radial distortion of the first camera, the second calibrated,
@@ -2025,13 +2101,14 @@ def relpose_7pt_focal_radial_one_side(
     - `focal`: ()
     - `radial`: ()
     """
-    return _solve("relpose_7pt_focal_radial_one_side", first, second, progress=progress)
+    return _solve("relpose_7pt_focal_radial_one_side", first, second, results=results, progress=progress)
 
 
 def relpose_7pt_focal_radial_one_side_eliminated(
     first: npt.ArrayLike,
     second: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Relative pose and radial distortion of the first camera, whose focal length is unknown, too, and
@@ -2066,13 +2143,14 @@ def relpose_7pt_focal_radial_one_side_eliminated(
     - `fundamental`: (3, 3)
     - `radial`: ()
     """
-    return _solve("relpose_7pt_focal_radial_one_side_eliminated", first, second, progress=progress)
+    return _solve("relpose_7pt_focal_radial_one_side_eliminated", first, second, results=results, progress=progress)
 
 
 def relpose_7pt_generalized_scale(
     first: npt.ArrayLike,
     second: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Relative pose and relative scale of two generalized cameras from seven point correspondences:
@@ -2106,13 +2184,14 @@ def relpose_7pt_generalized_scale(
     - `translation`: (3,)
     - `scale`: ()
     """
-    return _solve("relpose_7pt_generalized_scale", first, second, progress=progress)
+    return _solve("relpose_7pt_generalized_scale", first, second, results=results, progress=progress)
 
 
 def stitching_3pt_radial_focal(
     first: npt.ArrayLike,
     second: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Rotation between two photographs with common unknown focal length and radial distortion, a
@@ -2143,7 +2222,7 @@ def stitching_3pt_radial_focal(
     - `focal`: ()
     - `radial`: ()
     """
-    return _solve("stitching_3pt_radial_focal", first, second, progress=progress)
+    return _solve("stitching_3pt_radial_focal", first, second, results=results, progress=progress)
 
 
 def tensor_eigenvectors(a: npt.ArrayLike, *, progress: Progress = None) -> Solutions:
@@ -2194,6 +2273,7 @@ def triangulation_3view(
     cameras: npt.ArrayLike,
     images: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Triangulation from three views, all stationary points of the sum of squared reprojection errors:
@@ -2229,7 +2309,7 @@ def triangulation_3view(
 
     - `position`: (3,)
     """
-    return _solve("triangulation_3view", cameras, images, progress=progress)
+    return _solve("triangulation_3view", cameras, images, results=results, progress=progress)
 
 
 def triangulation_3view_relaxed(
@@ -2237,6 +2317,7 @@ def triangulation_3view_relaxed(
     second: npt.ArrayLike,
     image: npt.ArrayLike,
     *,
+    results: Optional[Iterable[str]] = None,
     progress: Progress = None,
 ) -> Solutions:
     """Triangulation from three views with two of the three epipolar constraints, all stationary points
@@ -2272,7 +2353,7 @@ def triangulation_3view_relaxed(
     - `images`: (3, 2)
     - `cost`: ()
     """
-    return _solve("triangulation_3view_relaxed", first, second, image, progress=progress)
+    return _solve("triangulation_3view_relaxed", first, second, image, results=results, progress=progress)
 
 
 def trilateration(

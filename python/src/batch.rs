@@ -31,21 +31,22 @@ pub(crate) struct Lists<'py> {
     status: PyReadwriteArray1<'py, u16>,
 }
 
-/// Solves `count` instances by the solver with this number. Each array holds the data of all
-/// instances, or those that all share. Between whiles `progress` is called with the number of
-/// instances that are done, and of all.
+/// Solves `count` instances by the solver with this number, and returns the results of these names.
+/// Each array holds the data of all instances, or those that all share. Between whiles `progress`
+/// is called with the number of instances that are done, and of all.
 #[pyfunction]
-#[pyo3(signature = (solver, arrays, count, progress = None))]
+#[pyo3(signature = (solver, arrays, count, results, progress = None))]
 pub(crate) fn solve_batch<'py>(
     py: Python<'py>,
     solver: usize,
     arrays: Vec<PyReadonlyArrayDyn<'py, f64>>,
     count: usize,
+    results: Vec<String>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Solved<'py>> {
     let solver = numbered(solver)?;
     let values = values(solver.name, solver.data, &arrays, count)?;
-    let mut lists = Lists::new(py, solver.sizes, count)?;
+    let mut lists = Lists::new(py, solver.sizes.of_results(solver.results, &results), count)?;
     let mut found = lists.found()?;
     let tally = Tally::new(progress, count);
     let piece = (PIECE_WORK / solver.operations.max(1)).clamp(1, PIECE as u64) as usize;
@@ -68,7 +69,7 @@ pub(crate) fn solve_batch<'py>(
     Ok(lists.into_arrays())
 }
 
-/// Solves one instance.
+/// Solves one instance, and returns the results of these names.
 ///
 /// # Errors
 /// That of the solver, as `SolveError`.
@@ -77,10 +78,11 @@ pub(crate) fn solve_one<'py>(
     py: Python<'py>,
     solver: usize,
     arrays: Vec<PyReadonlyArrayDyn<'py, f64>>,
+    results: Vec<String>,
 ) -> PyResult<Solved<'py>> {
     let solver = numbered(solver)?;
     let values = values(solver.name, solver.data, &arrays, 1)?;
-    let mut lists = Lists::new(py, solver.sizes, 1)?;
+    let mut lists = Lists::new(py, solver.sizes.of_results(solver.results, &results), 1)?;
     let mut found = lists.found()?;
     let solved = py.detach(|| (solver.solve)(&values, &mut found));
     solved.map_err(|error| SolveError::new_err(error.to_string()))?;

@@ -97,12 +97,31 @@ fn scalars<T: Flat>(array: &T) -> Vec<f64> {
     scalars
 }
 
-/// The sizes of what a solver returns for an instance.
+/// The sizes of what is returned for an instance.
 #[derive(Clone, Copy)]
 pub(crate) struct Sizes {
     pub(crate) unknowns: usize,
+    /// The scalars of the results that are wanted.
     pub(crate) results: usize,
     pub(crate) solutions: usize,
+    /// A bit for each array of the results that is wanted.
+    pub(crate) wanted: u64,
+}
+
+impl Sizes {
+    /// Of the arrays with these names, of a solver that returns them.
+    pub(crate) fn of_results(self, results: &[Named], names: &[String]) -> Self {
+        let is_wanted = |name: &str| names.iter().any(|wanted| wanted == name);
+        let wanted = (0..).zip(results).filter(|(_, (name, _))| is_wanted(name));
+        let (wanted, results) =
+            wanted.fold((0, 0), |(bits, sum), (at, (_, shape))| (bits | 1 << at, sum + product(shape)));
+        Self { wanted, results, ..self }
+    }
+
+    /// Whether the array of this number is wanted.
+    pub(crate) fn is_wanted(self, array: u32) -> bool {
+        self.wanted >> array & 1 == 1
+    }
 }
 
 /// Solvers take arrays by reference and scalars by value.
@@ -136,6 +155,7 @@ macro_rules! solver {
                 unknowns: solvers::$name::UNKNOWNS.len(),
                 results: 0 $($(+ product(&$result_shape))*)?,
                 solutions: solvers::$name::MAX_SOLUTIONS,
+                wanted: u64::MAX,
             },
             docs: $docs,
             files: [include_str!($source), include_str!($template)],
@@ -177,21 +197,27 @@ macro_rules! typed {
     }};
 }
 
-/// Writes what a problem returns for each solution, if it returns anything.
+/// Writes what is wanted of the results for each solution.
 macro_rules! results {
     ($found:ident, $at:expr, $solutions:expr, $of:ident, $name:ident, none, $arguments:tt, $results:tt) => {};
     ($found:ident, $at:expr, $solutions:expr, $of:ident, $name:ident, $function:ident,
         ($($data:ident: $kind:ident),*), ($($result:ident),*)) => {
-        // Data whose solutions are known have results.
-        if let Ok(results) = solvers::$name::$function($(argument!($of.$data, $kind),)* $solutions) {
-            for (number, result) in results.iter().enumerate() {
-                let mut place = $found.result($at, number);
-                $({
-                    let (values, rest) = place.split_at_mut(len(&result.$result));
-                    result.$result.write(values);
-                    place = rest;
-                })*
-                let _ = place;
+        if $found.sizes.wanted != 0 {
+            match solvers::$name::$function($(argument!($of.$data, $kind),)* $solutions) {
+                Ok(results) => {
+                    for (number, result) in results.iter().enumerate() {
+                        let (sizes, mut place, mut array) = ($found.sizes, $found.result($at, number), 0);
+                        $(if sizes.is_wanted(array) {
+                            let (values, rest) = place.split_at_mut(len(&result.$result));
+                            result.$result.write(values);
+                            place = rest;
+                        }
+                        array += 1;)*
+                        let _ = (place, array);
+                    }
+                }
+                // Data whose solutions are known have results, so this is not met.
+                Err(error) => $found.fail($at, &error),
             }
         }
     };
@@ -239,7 +265,7 @@ impl<'a> Found<'a> {
 
     /// The lists of the first instances, and of the others.
     fn split(self, instances: usize) -> (Self, Self) {
-        let Sizes { unknowns, results, solutions } = self.sizes;
+        let Sizes { unknowns, results, solutions, .. } = self.sizes;
         let (unknowns, other_unknowns) = self.unknowns.split_at_mut(instances * solutions * unknowns);
         let (results, other_results) = self.results.split_at_mut(instances * solutions * results);
         let (counts, other_counts) = self.counts.split_at_mut(instances);
@@ -254,7 +280,7 @@ impl<'a> Found<'a> {
         (Self { sizes: self.sizes, unknowns, results, counts, status }, others)
     }
 
-    /// Writes the solutions of an instance.
+    /// Writes the solutions of an instance, whose results follow.
     pub(crate) fn write(&mut self, at: usize, solutions: impl Iterator<Item = impl AsRef<[f64]>>) {
         let all = of_instance(self.unknowns, at, self.sizes.unknowns * self.sizes.solutions);
         let mut count = 0;
@@ -263,7 +289,8 @@ impl<'a> Found<'a> {
             count += 1;
         }
         all[count * self.sizes.unknowns..].fill(f64::NAN);
-        of_instance(self.results, at, self.sizes.results * self.sizes.solutions).fill(f64::NAN);
+        let results = of_instance(self.results, at, self.sizes.results * self.sizes.solutions);
+        results[count * self.sizes.results..].fill(f64::NAN);
         self.counts[at] = count as i64;
         self.status[at] = status::SOLVED;
     }

@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use eliminant::SolveError as Error;
 use eliminant_generator::generate::{GenerateError, generate, plan};
 use eliminant_generator::plan::Plan;
+use eliminant_generator::plan::output::PlannedField;
 use eliminant_generator::problem::{Problem, SolutionField};
 use eliminant_generator::search::measuring::interpreted::InterpretedSolver;
 use eliminant_generator::search::measuring::results::{results_of, scalars_of};
@@ -37,8 +38,9 @@ impl Planned {
         let outputs = plan.output.iter().flat_map(|output| &output.fields);
         let sizes = Sizes {
             unknowns: plan.fields.iter().map(SolutionField::scalars).sum(),
-            results: outputs.map(|field| field.elements.len()).sum(),
+            results: outputs.map(PlannedField::scalars).sum(),
             solutions: plan.solutions,
+            wanted: u64::MAX,
         };
         let data = plan.data.iter().map(|data| (data.name.clone(), data.shape.clone())).collect();
         Ok(Self { problem: problem.clone(), file, solver: InterpretedSolver::of(&plan), plan, data, sizes })
@@ -50,8 +52,12 @@ impl Planned {
         let points = self.solver.solve(&data)?;
         let solutions: Vec<Vec<f64>> = points.iter().map(|point| scalars_of(&self.plan, point)).collect();
         found.write(at, solutions.iter().map(Vec::as_slice));
-        for (number, results) in results_of(&self.plan, &data, &points).iter().enumerate() {
-            found.result(at, number).copy_from_slice(results);
+        let results = results_of(&self.plan, &data, &points);
+        for number in 0..points.len() {
+            match results.get(number) {
+                Some(results) => found.result(at, number).copy_from_slice(results),
+                None => found.result(at, number).fill(f64::NAN),
+            }
         }
         Ok(())
     }

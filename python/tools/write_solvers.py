@@ -21,12 +21,15 @@ Each takes the data of one instance, or arrays of the data of n instances. Data 
 a batch hold for all. Batches are solved on all cores, without the lock of the interpreter.
 `progress` is called with the number of instances that are done and of all; by default a long batch
 has a bar where tqdm is installed and standard error is a terminal or this is a notebook, and with
-False it has none.
+False it has none. `results` has the names of the results to return, all by default; each
+array that is left out saves the time to fill it.
 
 Written by `tools/write_solvers.py` from the problems in `templates/`.
 """
 
 from __future__ import annotations
+
+from typing import Iterable, Optional
 
 import numpy.typing as npt
 
@@ -78,13 +81,12 @@ def docstring_of_mean(name: str, mean: Mean) -> str:
     return textwrap.indent("\n".join(lines), "    ")
 
 
-def function(name: str, names: list[str], docs: str, returned: str, call: str) -> str:
-    """The function of this name with these parameters, which calls another."""
+def function(name: str, names: list[str], docs: str, returned: str, options: dict[str, str]) -> str:
+    """The function of this name with these parameters, which calls that of what is returned."""
+    call = {"Solutions": "_solve", "Array": "_mean"}[returned]
     typed = [f"{parameter}: npt.ArrayLike" for parameter in names]
-    arguments = [f'"{name}"', *names]
-    if call == "_solve":
-        typed += ["*", "progress: Progress = None"]
-        arguments.append("progress=progress")
+    typed += ["*"] * bool(options) + [f"{option}: {kind} = None" for option, kind in options.items()]
+    arguments = [f'"{name}"', *names, *(f"{option}={option}" for option in options)]
     parameters = ", ".join(typed)
     raw = "r" if "\\" in docs else ""
     opening = f"def {name}({parameters}) -> {returned}:"
@@ -98,9 +100,11 @@ def module() -> str:
     """The text of the module."""
     functions = {}
     for name, solver in SOLVERS.items():
-        functions[name] = function(name, [at for at, _ in solver.data], docstring(solver), "Solutions", "_solve")
+        options = {"results": "Optional[Iterable[str]]"} if solver.results else {}
+        options["progress"] = "Progress"
+        functions[name] = function(name, [at for at, _ in solver.data], docstring(solver), "Solutions", options)
     for name, mean in MEANS.items():
-        functions[name] = function(name, [at for at, _ in mean.data], docstring_of_mean(name, mean), "Array", "_mean")
+        functions[name] = function(name, [at for at, _ in mean.data], docstring_of_mean(name, mean), "Array", {})
     names = "".join(f'    "{name}",\n' for name in sorted(functions))
     text = "\n\n".join(functions[name] for name in sorted(functions))
     return f"{HEAD}\n__all__ = [\n{names}]\n\n\n{text}"

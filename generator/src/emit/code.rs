@@ -6,10 +6,11 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 use super::names::Names;
-use super::parts::{Locals, Statement, in_parts, names_in};
+use super::parts::{Input, Locals, Statement, in_parts, names_in};
 use super::shapes::indices;
 use super::storage;
 use crate::expression::rational::Rational;
+use crate::plan::output::PlannedOutput;
 use crate::plan::program::{Operation, Program, ValueId};
 use crate::plan::statements::{MOST_TOGETHER, Place, Statements};
 use crate::plan::{Plan, PlannedBlock, PlannedRecovery, Term};
@@ -67,13 +68,69 @@ fn function(
     program: &Program,
     values: &[ValueId],
 ) -> TokenStream {
-    let planned = Statements::of(program, values);
-    let inputs = inputs(given, count);
+    let locals = inputs(given, count);
     let mut names = Names::of(given);
-    names.reserve(&inputs);
+    names.reserve(&locals);
     let [slots, data, one] = ["v", "data", "one"].map(|name| names.take(name));
-    let (mut statements, printed) = printed(program, &planned, (&slots, &one, &inputs), &mut names);
-    let locals = Locals { data: &data, read: inputs_read(program, &inputs, &planned) };
+    let values_of_locals = (0..count).map(|at| {
+        let at = Literal::usize_unsuffixed(at);
+        quote!(#data[#at])
+    });
+    let inputs: Vec<Input> =
+        locals.into_iter().zip(values_of_locals).map(|(local, value)| Input { local, value }).collect();
+    let code = body(program, values, (&slots, &one, &inputs), &mut names);
+    let named = names_in(&code);
+    let unread = [&one, &data].into_iter().filter(|name| !named.contains(&name.to_string()));
+    let unread = unread.map(|name| quote!(let _ = #name;));
+    let [count, length] = [count, values.len()].map(Literal::usize_unsuffixed);
+    quote! {
+        #[doc = #doc]
+        fn #name<T: emitted::Arithmetic>(#one: T, #data: &[T; #count]) -> [T; #length] {
+            #(#unread)*
+            #code
+        }
+    }
+}
+
+/// The function from the coefficients of results, and the coordinates of a solution, to so many
+/// scalars of results.
+pub(super) fn results(name: &Ident, [coefficients, coordinates]: [usize; 2], output: &PlannedOutput) -> TokenStream {
+    let named = |prefix: &str, count: usize, value: fn(Literal) -> TokenStream| {
+        let input =
+            |at: usize| Input { local: format_ident!("{prefix}_{at}"), value: value(Literal::usize_unsuffixed(at)) };
+        (0..count).map(input).collect::<Vec<_>>()
+    };
+    let inputs = [
+        named("c", coefficients, |at| quote!(one.constant(coefficients[#at]))),
+        named("x", coordinates, |at| quote!(x[#at])),
+    ]
+    .concat();
+    let mut names = Names::of(&[]);
+    let [slots, one, ..] = ["v", "one", "coefficients", "x"].map(|name| names.take(name));
+    names.reserve(&inputs.iter().map(|input| input.local.clone()).collect::<Vec<_>>());
+    let code = body(&output.of_solution, &output.scalars, (&slots, &one, &inputs), &mut names);
+    let [coefficients, coordinates, length] =
+        [coefficients, coordinates, output.scalars.len()].map(Literal::usize_unsuffixed);
+    quote! {
+        /// The scalars of results, from their coefficients and the coordinates of a solution.
+        #[allow(unused_variables)]
+        fn #name<S: ::eliminant::Scalar + emitted::Arithmetic>(coefficients: &[f64; #coefficients], x: &[S; #coordinates]) -> [S; #length] {
+            let #one = S::ONE;
+            #code
+        }
+    }
+}
+
+/// The statements that compute values of a program, and the array of these.
+fn body(
+    program: &Program,
+    values: &[ValueId],
+    (slots, one, inputs): (&Ident, &Ident, &[Input]),
+    names: &mut Names,
+) -> TokenStream {
+    let planned = Statements::of(program, values);
+    let (mut statements, printed) = printed(program, &planned, (slots, one, inputs), names);
+    let locals = Locals { read: inputs_read(program, inputs, &planned) };
     let mut results: Vec<TokenStream> = values.iter().map(|id| printed[id.0 as usize].tokens.clone()).collect();
     let mut slot_count = planned.slots;
     if !planned.is_short {
@@ -86,30 +143,20 @@ fn function(
             slot_count += 1;
         }
     }
-    let [count, length, inputs] = [slot_count, values.len(), inputs.len()].map(Literal::usize_unsuffixed);
+    let count = Literal::usize_unsuffixed(slot_count);
     let declaration = match slot_count {
         0 => quote!(),
         _ => quote!(let mut #slots = [#one.constant(0.0); #count];),
     };
-    let code = match planned.is_short {
+    match planned.is_short {
         true => {
             let statements = statements.iter().map(|statement| &statement.tokens);
             let locals = locals.declared();
             quote!(#locals #declaration #(#statements)* [#(#results),*])
         }
         false => {
-            let parts = in_parts(&statements, MOST_TOGETHER, &one, &locals);
+            let parts = in_parts(&statements, MOST_TOGETHER, one, &locals);
             quote!(#declaration #(#parts)* [#(#results),*])
-        }
-    };
-    let named = names_in(&code);
-    let unread = [&one, &data].into_iter().filter(|name| !named.contains(&name.to_string()));
-    let unread = unread.map(|name| quote!(let _ = #name;));
-    quote! {
-        #[doc = #doc]
-        fn #name<T: emitted::Arithmetic>(#one: T, #data: &[T; #inputs]) -> [T; #length] {
-            #(#unread)*
-            #code
         }
     }
 }
@@ -118,7 +165,7 @@ fn function(
 fn printed(
     program: &Program,
     planned: &Statements,
-    (slots, one, inputs): (&Ident, &Ident, &[Ident]),
+    (slots, one, inputs): (&Ident, &Ident, &[Input]),
     names: &mut Names,
 ) -> (Vec<Statement>, Vec<Expression>) {
     let mut statements = Vec::new();
@@ -164,16 +211,17 @@ struct Expression {
 impl Expression {
     /// An operation on values that are printed. `one` and `inputs` are the variables of 1 and of
     /// the data.
-    fn of(program: &Program, operation: Operation, printed: &[Self], (one, inputs): (&Ident, &[Ident])) -> Self {
+    fn of(program: &Program, operation: Operation, printed: &[Self], (one, inputs): (&Ident, &[Input])) -> Self {
         let operand = |id: ValueId| &printed[id.0 as usize];
         match operation {
             Operation::Constant(value) => Self::constant(one, value),
-            Operation::Input(input) => Self::atom(inputs[input as usize].to_token_stream()),
+            Operation::Input(input) => Self::atom(inputs[input as usize].local.to_token_stream()),
             Operation::Add(a, b) => Self::binary(operand(a), quote!(+), SUM, operand(b)),
             Operation::Subtract(a, b) => Self::binary(operand(a), quote!(-), SUM, operand(b)),
             Operation::Multiply(a, b) => Self::binary(operand(a), quote!(*), PRODUCT, operand(b)),
             Operation::Divide(a, b) => Self::binary(operand(a), quote!(/), PRODUCT, operand(b)),
             Operation::Negate(a) => Self::negated(operand(a)),
+            Operation::Root(a) => Self::root(operand(a)),
             Operation::Coefficient { sum, at } => {
                 let terms = program.product_sums[sum as usize].terms(at as usize);
                 Self::sum(
@@ -205,6 +253,11 @@ impl Expression {
     fn negated(a: &Self) -> Self {
         let operand = a.at_least(SIGN);
         Self { tokens: quote!(-#operand), precedence: SIGN, operations: a.operations + 1 }
+    }
+
+    fn root(a: &Self) -> Self {
+        let operand = a.at_least(ATOM);
+        Self { tokens: quote!(#operand.sqrt()), precedence: ATOM, operations: a.operations + 1 }
     }
 
     /// The first term is taken as it is, the others are added one after another.
@@ -250,9 +303,10 @@ fn inputs(data: &[DataParameter], count: usize) -> Vec<Ident> {
     }
 }
 
-/// The data that are read: position and name.
-fn inputs_read<'a>(program: &Program, inputs: &'a [Ident], statements: &Statements) -> Vec<(usize, &'a Ident)> {
-    inputs.iter().enumerate().filter(|(input, _)| statements.reads_input(program, *input)).collect()
+/// The data that are read.
+fn inputs_read<'a>(program: &Program, inputs: &'a [Input], statements: &Statements) -> Vec<&'a Input> {
+    let is_read = |(at, _): &(usize, &Input)| statements.reads_input(program, *at);
+    inputs.iter().enumerate().filter(is_read).map(|(_, input)| input).collect()
 }
 
 /// `gram_0_2` for every scalar of a parameter, in flat order.

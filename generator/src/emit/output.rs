@@ -8,10 +8,10 @@ use super::listing::Listings;
 use super::names::Names;
 use super::shapes::{accessors, chart_name, parameter, type_of, value_of};
 use super::{code, program, scaling, storage};
-use crate::plan::output::{PlannedElement, PlannedField, PlannedOutput};
+use crate::plan::Plan;
+use crate::plan::output::{PlannedField, PlannedOutput};
 use crate::plan::program::ProgramForm;
 use crate::plan::program_table::ProgramTable;
-use crate::plan::{Plan, Term};
 use crate::problem::SolutionField;
 
 /// The struct of an output, and the functions that return it; nothing without one.
@@ -28,7 +28,7 @@ pub(super) fn output(plan: &Plan, listings: &mut Listings) -> TokenStream {
     });
     let doc = format!(" What `{}` returns beside its unknowns.", plan.name);
     let known = plan.unknowns.len() + plan.fields.iter().filter(|field| field.is_projective).count();
-    let (values, variables) = (values(output, known), variables(plan, known + output.parts.len()));
+    let (values, coordinates) = (values(output, known), coordinates(plan, known));
     let program = coefficients(plan, output, listings);
     quote! {
         #[doc = #doc]
@@ -40,7 +40,7 @@ pub(super) fn output(plan: &Plan, listings: &mut Listings) -> TokenStream {
         #functions
         #program
         #values
-        #variables
+        #coordinates
     }
 }
 
@@ -156,67 +156,33 @@ fn coefficients_of(plan: &Plan, instance: &Ident) -> TokenStream {
     }
 }
 
-/// The function from the coefficients and a solution to the output, of which so many values are
-/// known.
-fn values(output: &PlannedOutput, known: usize) -> TokenStream {
+/// The function from the coefficients and a solution to the output.
+fn values(output: &PlannedOutput, coordinates: usize) -> TokenStream {
     let name = format_ident!("{}", output.name);
-    let fields = output.fields.iter().map(|PlannedField { name, shape, is_complex, elements, .. }| {
-        let (field, elements) = (format_ident!("{name}"), elements.iter().map(element).collect::<Vec<_>>());
-        let value = value_of(shape, *is_complex, &elements);
-        quote!(#field: #value)
+    let mut scalars = (0..).map(|at| {
+        let at = Literal::usize_unsuffixed(at);
+        quote!(scalars[#at])
     });
+    let fields = output.fields.iter().map(|field| {
+        let elements: Vec<TokenStream> = scalars.by_ref().take(field.scalars()).collect();
+        let (name, value) = (format_ident!("{}", field.name), value_of(&field.shape, field.is_complex, &elements));
+        quote!(#name: #value)
+    });
+    let function = format_ident!("results");
+    let results = code::results(&function, [output.coefficients.len(), coordinates], output);
     let count = Literal::usize_unsuffixed(output.coefficients.len());
-    let parts = output.parts.iter().zip(known..).map(|(part, at)| {
-        let (at, part) = (Literal::usize_unsuffixed(at), element(part));
-        quote!(x[#at] = #part;)
-    });
-    let mutable = (!output.parts.is_empty()).then(|| quote!(mut));
     quote! {
-        #[allow(unused_variables)]
-        fn output<S: ::eliminant::Scalar>(c: &[f64; #count], solution: &Solution<S>) -> #name<S> {
-            let #mutable x = self::variables(solution);
-            #(#parts)*
+        #results
+
+        fn output<S: ::eliminant::Scalar>(coefficients: &[f64; #count], solution: &Solution<S>) -> #name<S> {
+            let scalars = self::#function(coefficients, &self::coordinates(solution));
             #name { #(#fields),* }
         }
     }
 }
 
-fn element(element: &PlannedElement) -> TokenStream {
-    let number = quote!(S::from_f64);
-    let numerator = sum(&element.numerator, &number);
-    let quotient = match &element.denominator {
-        Some(divisor) => {
-            let divisor = sum(divisor, &number);
-            quote!((#numerator) / (#divisor))
-        }
-        None => numerator,
-    };
-    if element.is_root { quote!((#quotient).sqrt()) } else { quotient }
-}
-
-/// A polynomial in x with coefficients c; `number`, if there is one, makes them numbers of the kind
-/// of x.
-fn sum(terms: &[Term], number: &TokenStream) -> TokenStream {
-    if terms.is_empty() {
-        return if number.is_empty() { quote!(0.0) } else { quote!(#number(0.0)) };
-    }
-    let terms = terms.iter().map(|term| {
-        let slot = Literal::u16_unsuffixed(term.coefficient.0);
-        let factors = term.exponents.iter().enumerate().flat_map(|(at, &e)| {
-            let at = Literal::usize_unsuffixed(at);
-            std::iter::repeat_n(quote!(* x[#at]), e.into())
-        });
-        // Without a conversion there are no parentheses to warn of.
-        match number.is_empty() {
-            true => quote!(c[#slot] #(#factors)*),
-            false => quote!(#number(c[#slot]) #(#factors)*),
-        }
-    });
-    quote!(#(#terms)+*)
-}
-
-/// The function from a solution to what the polynomials of an output hold.
-fn variables(plan: &Plan, total: usize) -> TokenStream {
+/// The function from a solution to the coordinates that an output is computed from.
+fn coordinates(plan: &Plan, total: usize) -> TokenStream {
     let total = Literal::usize_unsuffixed(total);
     let mut scale = plan.unknowns.len()..;
     let fields = plan.fields.iter().map(|field| {
@@ -224,7 +190,7 @@ fn variables(plan: &Plan, total: usize) -> TokenStream {
         match (field.is_projective, scale.clone().next()) {
             (true, Some(at)) => {
                 scale.next();
-                coordinates(field, at)
+                coordinates_in_chart(field, at)
             }
             _ => {
                 let accessors = accessors(&field.shape, field.is_complex);
@@ -239,7 +205,7 @@ fn variables(plan: &Plan, total: usize) -> TokenStream {
     quote! {
         /// The unknowns; of vectors that are given up to scale the coordinates, then, of all of
         /// them, the last coordinates.
-        fn variables<S: ::eliminant::Scalar>(solution: &Solution<S>) -> [S; #total] {
+        fn coordinates<S: ::eliminant::Scalar>(solution: &Solution<S>) -> [S; #total] {
             let mut x = [S::ZERO; #total];
             #(#fields)*
             x
@@ -248,7 +214,7 @@ fn variables(plan: &Plan, total: usize) -> TokenStream {
 }
 
 /// The coordinates of a vector of length 1 that is given up to scale, the last one at `last`.
-fn coordinates(field: &SolutionField, last: usize) -> TokenStream {
+fn coordinates_in_chart(field: &SolutionField, last: usize) -> TokenStream {
     let (name, chart) = (format_ident!("{}", field.name), chart_name(field));
     let factor = Literal::f64_unsuffixed(field.scale_of_chart());
     let places = field.unknowns().chain([last]).map(Literal::usize_unsuffixed);

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
+use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::quote;
 
 /// A statement that reads and writes elements of arrays.
@@ -12,29 +12,36 @@ pub(super) struct Statement {
     pub(super) operations: usize,
 }
 
-/// Local variables for scalars of the data.
+/// A scalar that a program reads: a local variable, and its value.
+#[derive(Clone)]
+pub(super) struct Input {
+    pub(super) local: Ident,
+    pub(super) value: TokenStream,
+}
+
+/// Local variables for what a program reads.
 pub(super) struct Locals<'a> {
-    pub(super) data: &'a Ident,
-    /// Their positions in the data, and their names.
-    pub(super) read: Vec<(usize, &'a Ident)>,
+    pub(super) read: Vec<&'a Input>,
 }
 
 impl Locals<'_> {
     /// Declarations of all: `let gram_0_2 = data[2];`.
     pub(super) fn declared(&self) -> TokenStream {
-        self.read.iter().map(|local| self.declaration(local)).collect()
+        self.read.iter().map(|input| input.declared()).collect()
     }
 
     /// Declarations of those that the code names.
     fn named_in(&self, code: &TokenStream) -> TokenStream {
         let names = names_in(code);
-        let named = self.read.iter().filter(|(_, local)| names.contains(&local.to_string()));
-        named.map(|local| self.declaration(local)).collect()
+        let named = self.read.iter().filter(|input| names.contains(&input.local.to_string()));
+        named.map(|input| input.declared()).collect()
     }
+}
 
-    fn declaration(&self, &(input, local): &(usize, &Ident)) -> TokenStream {
-        let (at, data) = (Literal::usize_unsuffixed(input), self.data);
-        quote!(let #local = #data[#at];)
+impl Input {
+    fn declared(&self) -> TokenStream {
+        let Self { local, value } = self;
+        quote!(let #local = #value;)
     }
 }
 
@@ -89,8 +96,10 @@ mod tests {
     /// that it reads.
     #[test]
     fn parts_are_of_about_equal_length() {
-        let [data, one, a, b] = ["data", "one", "a", "b"].map(|name| format_ident!("{name}"));
-        let locals = Locals { data: &data, read: vec![(0, &a), (4, &b)] };
+        let one = format_ident!("one");
+        let inputs = [("a", quote!(data[0])), ("b", quote!(data[4]))];
+        let inputs = inputs.map(|(name, value)| Input { local: format_ident!("{name}"), value });
+        let locals = Locals { read: inputs.iter().collect() };
         let statement = |tokens| Statement { tokens, operations: 5 };
         let statements = [quote!(v[0] = a;), quote!(v[1] = (a * v[0]);), quote!(v[2] = b;)].map(statement);
         let parts = in_parts(&statements, 8, &one, &locals);

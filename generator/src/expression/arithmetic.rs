@@ -19,6 +19,10 @@ pub trait Arithmetic: Copy {
     fn mul(self, a: Self::Value, b: Self::Value) -> Self::Value;
     /// a / b; `None` for b = 0.
     fn div(self, a: Self::Value, b: Self::Value) -> Option<Self::Value>;
+    /// A square root; `None` where there is none, and NaN in `f64`.
+    fn root(self, a: Self::Value) -> Option<Self::Value> {
+        self.derive(DerivationKind::SquareRoot, &[a], 0.0)?.pop()
+    }
     /// The size of a value as a pivot, larger being better: |a| over the reals, 0 or 1 over Z_p.
     fn pivot_size(self, a: Self::Value) -> f64;
     /// The relative rounding error of one operation; 0 for exact arithmetic.
@@ -104,6 +108,9 @@ impl Arithmetic for Float64 {
     }
     fn div(self, a: f64, b: f64) -> Option<f64> {
         (b != 0.0).then(|| a / b)
+    }
+    fn root(self, a: f64) -> Option<f64> {
+        Some(a.sqrt())
     }
     fn pivot_size(self, a: f64) -> f64 {
         a.abs()

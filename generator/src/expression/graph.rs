@@ -45,9 +45,13 @@ pub enum Expression {
         /// The number of the coefficient in the sum.
         at: u32,
     },
+    /// A coordinate of the solution, by its number. Only results depend on it.
+    Unknown(u32),
+    /// The square root of a value that depends on the solution.
+    Root(ExpressionId),
 }
 
-type Fingerprint = [u32; 2];
+pub(super) type Fingerprint = [u32; 2];
 
 /// What has no value for some data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,6 +83,8 @@ pub struct ExpressionGraph {
     /// The nodes of the inputs.
     inputs: Vec<ExpressionId>,
     fingerprints: Vec<Fingerprint>,
+    /// Which nodes depend on the solution.
+    of_solution: Vec<bool>,
     by_fingerprint: HashMap<Fingerprint, ExpressionId>,
     names: BTreeMap<ExpressionId, String>,
 }
@@ -93,6 +99,7 @@ impl ExpressionGraph {
             derivations: Vec::new(),
             inputs: Vec::new(),
             fingerprints: Vec::new(),
+            of_solution: Vec::new(),
             by_fingerprint: HashMap::new(),
             names: BTreeMap::new(),
         };
@@ -156,6 +163,11 @@ impl ExpressionGraph {
     /// ids than its coefficients.
     pub fn product_sums(&self) -> &[ProductSum<ExpressionId>] {
         &self.product_sums
+    }
+
+    /// The node at this position.
+    pub fn id(&self, position: usize) -> ExpressionId {
+        ExpressionId(position as u32)
     }
 
     /// The expression of a node.
@@ -285,6 +297,23 @@ impl ExpressionGraph {
         self.push(Expression::Negate(a), fingerprint)
     }
 
+    /// Whether a value depends on the solution.
+    pub fn is_of_solution(&self, id: ExpressionId) -> bool {
+        self.of_solution[id.index()]
+    }
+
+    /// The same graph, in which no node that depends on the solution is found again: its values are
+    /// computed anew, in another way.
+    pub(crate) fn without_solution(&self) -> Self {
+        let mut graph = self.clone();
+        graph.by_fingerprint.retain(|_, id| !self.is_of_solution(*id));
+        graph
+    }
+
+    fn depends_on_solution(&self, node: Expression) -> bool {
+        matches!(node, Expression::Unknown(_)) || self.operands(node).any(|operand| self.is_of_solution(operand))
+    }
+
     /// Whether the value is zero for all data (on their variety).
     pub fn is_zero(&self, id: ExpressionId) -> bool {
         self.fingerprints[id.index()] == [0, 0]
@@ -318,32 +347,8 @@ impl ExpressionGraph {
         needed[self.inputs[input].index()]
     }
 
-    /// Which nodes these depend on, themselves included. Derived data depend on nothing here.
-    pub(crate) fn needed(&self, used: &[ExpressionId]) -> Vec<bool> {
-        let mut needed = vec![false; self.nodes.len()];
-        used.iter().for_each(|id| needed[id.index()] = true);
-        for at in (0..needed.len()).rev() {
-            if !needed[at] {
-                continue;
-            }
-            let mut need = |id: ExpressionId| needed[id.index()] = true;
-            match self.nodes[at] {
-                Expression::Constant(_) | Expression::Input(_) => {}
-                Expression::Negate(a) => need(a),
-                Expression::Add(a, b)
-                | Expression::Subtract(a, b)
-                | Expression::Multiply(a, b)
-                | Expression::Divide(a, b) => [a, b].into_iter().for_each(need),
-                Expression::Coefficient { sum, .. } => {
-                    self.product_sums[sum as usize].operands().for_each(need);
-                }
-            }
-        }
-        needed
-    }
-
     /// The values of all nodes for the given values of the inputs; `None` if a divisor is zero.
-    /// Derived data may be missing at the end of the inputs: they are then derived, and `None` if a
+    /// What depends on a solution counts as 0. Derived data may be missing at the end of the inputs: they are then derived, and `None` if a
     /// matrix has lost rank.
     pub fn evaluate<A: Arithmetic>(&self, arithmetic: A, inputs: &[A::Value]) -> Option<Vec<A::Value>> {
         self.try_evaluate(arithmetic, inputs).ok()
@@ -354,9 +359,10 @@ impl ExpressionGraph {
         let mut values: Vec<A::Value> = Vec::with_capacity(self.nodes.len());
         let mut sums: Vec<Vec<A::Value>> = vec![Vec::new(); self.product_sums.len()];
         let mut inputs = inputs.to_vec();
-        for node in &self.nodes {
+        for (node, &is_of_solution) in self.nodes.iter().zip(&self.of_solution) {
             let at = |id: &ExpressionId| values[id.index()];
             let value = match node {
+                _ if is_of_solution => f.zero(),
                 Expression::Constant(value) => f.constant(*value).ok_or(NoValue::Quotient)?,
                 Expression::Input(input) => {
                     if *input as usize == inputs.len() {
@@ -376,6 +382,8 @@ impl ExpressionGraph {
                     }
                     known[*coefficient as usize]
                 }
+                // Of a solution, like all that depends on them.
+                Expression::Unknown(_) | Expression::Root(_) => f.zero(),
             };
             values.push(value);
         }
@@ -408,9 +416,17 @@ impl ExpressionGraph {
     /// not exist there.
     pub(crate) fn move_fingerprints(&mut self, k: usize, given: &[u32]) -> bool {
         let Some(values) = self.evaluate(FINGERPRINT_FIELDS[k], given) else { return false };
-        for (fingerprint, value) in self.fingerprints.iter_mut().zip(values) {
-            fingerprint[k] = value;
+        let mut moved = self.fingerprints.clone();
+        for (at, value) in values.into_iter().enumerate() {
+            match self.of_solution[at] {
+                false => moved[at][k] = value,
+                true => match self.fingerprint_of_solution(at, &moved) {
+                    Some(fingerprint) => moved[at] = fingerprint,
+                    None => return false,
+                },
+            }
         }
+        self.fingerprints = moved;
         self.by_fingerprint.clear();
         for (&fingerprint, id) in self.fingerprints.iter().zip(0..) {
             self.by_fingerprint.entry(fingerprint).or_insert(ExpressionId(id));
@@ -438,9 +454,12 @@ impl ExpressionGraph {
     }
 
     /// The node with this value: an old one, the negative of an old one, or a new one.
-    fn push(&mut self, node: Expression, fingerprint: Fingerprint) -> ExpressionId {
-        if let Some(&shared) = self.by_fingerprint.get(&fingerprint) {
-            return shared;
+    pub(super) fn push(&mut self, node: Expression, fingerprint: Fingerprint) -> ExpressionId {
+        match self.by_fingerprint.get(&fingerprint) {
+            // One that was written with a solution has no value without it.
+            Some(&shared) if self.is_of_solution(shared) && !self.depends_on_solution(node) => {}
+            Some(&shared) => return shared,
+            None => {}
         }
         let negation = matches!(node, Expression::Negate(_) | Expression::Constant(_));
         let node = match self.by_fingerprint.get(&self.negated(fingerprint)) {
@@ -454,6 +473,7 @@ impl ExpressionGraph {
 
     fn push_unshared(&mut self, node: Expression, fingerprint: Fingerprint) -> ExpressionId {
         let id = ExpressionId(self.nodes.len() as u32);
+        self.of_solution.push(self.depends_on_solution(node));
         self.nodes.push(node);
         self.fingerprints.push(fingerprint);
         if let Expression::Input(_) = node {

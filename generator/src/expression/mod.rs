@@ -10,8 +10,10 @@
 //! 10^-6. Every template is checked at further primes besides.
 
 pub mod arithmetic;
+mod dependence;
 pub mod derivation;
 mod graph;
+mod of_solution;
 mod polynomial;
 pub mod product_sum;
 pub mod rational;

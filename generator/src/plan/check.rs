@@ -2,7 +2,7 @@
 //! unknown is written before it is read.
 
 use super::output::PlannedOutput;
-use super::program::{Operation, ValueId};
+use super::program::{Operation, Program, ValueId};
 use super::system_table::SystemTable;
 use super::{
     ActionRow, BasisId, Block, CoefficientId, Elimination, Entry, KnownMonomial, Plan, PlannedDerivation, Term,
@@ -42,9 +42,14 @@ impl Plan {
             require(has_operands && is_ordered, "data are derived from others that are not known")?;
             known = derivation.inputs().end;
         }
-        if let Some(PlannedOutput { program, coefficients, .. }) = &self.output {
-            let has_values = coefficients.iter().all(|id| (id.0 as usize) < program.operations.len());
-            require(has_values && program.is_ordered(self.stated), "a result reads a value that is not known")?;
+        if let Some(PlannedOutput { program, coefficients, of_solution, scalars, .. }) = &self.output {
+            let inputs =
+                coefficients.len() + self.unknowns.len() + self.fields.iter().filter(|f| f.is_projective).count();
+            let steps = [(program, coefficients, self.stated), (of_solution, scalars, inputs)];
+            let is_known = |(program, values, inputs): &(&Program, &Vec<ValueId>, usize)| {
+                program.is_ordered(*inputs) && values.iter().all(|id| (id.0 as usize) < program.operations.len())
+            };
+            require(steps.iter().all(is_known), "a result reads a value that is not known")?;
         }
         Ok(())
     }

@@ -2,14 +2,14 @@
 
 use std::collections::HashMap;
 
-use super::output::{PlannedElement, PlannedField, PlannedOutput};
-use super::straight_line::straight_line_program;
+use super::output::{PlannedField, PlannedOutput};
+use super::straight_line::programs_of_results;
 use super::system_table::SystemTable;
 use super::{CoefficientId, Term};
 use crate::algebra::Monomial;
 use crate::expression::{ExpressionId, SymbolicPolynomial};
 use crate::problem::Problem;
-use crate::problem::output::{Output, OutputElement};
+use crate::problem::output::Output;
 
 /// The coefficients that the tables refer to. If the equations are stored as a matrix, it comes
 /// first, row by row. The others follow in order of first use.
@@ -57,26 +57,14 @@ impl Coefficients {
 
 /// What a solver returns beside the unknowns.
 pub(super) fn planned_output(problem: &Problem, output: &Output) -> PlannedOutput {
-    let mut coefficients = Coefficients::default();
-    let scales = problem.fields.iter().filter(|field| field.is_projective).count();
-    let width = problem.unknowns.len() + scales + output.parts.len();
-    let mut planned = |element: &OutputElement| PlannedElement {
-        numerator: coefficients.terms(&element.numerator, width),
-        denominator: element.denominator.as_ref().map(|divisor| coefficients.terms(divisor, width)),
-        is_root: element.is_root,
-    };
-    let parts = output.parts.iter().map(&mut planned).collect();
     let fields = output.fields.iter().map(|field| PlannedField {
         name: field.name.clone(),
         shape: field.shape.clone(),
         is_complex: field.is_complex,
         is_projective: field.is_projective,
-        elements: field.elements.iter().map(&mut planned).collect(),
     });
-    let fields = fields.collect();
-    // All are used: a matrix with zeros holds the equations only.
-    let used: Vec<ExpressionId> = coefficients.used.into_iter().flatten().collect();
-    let (program, coefficients) = straight_line_program(&problem.graph, &used, 0);
+    let elements: Vec<ExpressionId> = output.elements().collect();
+    let [(program, coefficients), (of_solution, scalars)] = programs_of_results(&problem.graph, &elements);
     let (name, function) = (output.name.clone(), output.function.clone());
-    PlannedOutput { name, function, parts, fields, program, coefficients }
+    PlannedOutput { name, function, fields: fields.collect(), program, coefficients, of_solution, scalars }
 }

@@ -1,24 +1,32 @@
 //! What a solver returns beside the unknowns, as it is computed.
 
 use super::program::{Program, ValueId};
-use super::term::Term;
 
-/// What a solver returns beside the unknowns. Its terms have an exponent for each unknown, and for
-/// the last coordinate of each vector that is given up to scale, and for each part.
+/// What a solver returns beside the unknowns, from data and a solution in two steps:
+///
+/// ```text
+///   data --[ program ]--> coefficients --+--[ of_solution ]--> scalars of all fields
+///                                        |
+///   coordinates of a solution -----------+
+/// ```
+///
+/// The coordinates are the unknowns, and of each vector that is given up to scale its last one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PlannedOutput {
     /// The name of the struct.
     pub name: String,
-    /// The name after which the functions are named that return it.
+    /// The function after which the functions are named that return it.
     pub function: String,
-    /// Values that the terms hold after the unknowns, each computed from those before it.
-    pub parts: Vec<PlannedElement>,
     /// Its fields.
     pub fields: Vec<PlannedField>,
-    /// From the data to the coefficients of its terms, which are its own.
+    /// From the data to the coefficients, once for all solutions.
     pub program: Program,
     /// The value of each coefficient.
     pub coefficients: Vec<ValueId>,
+    /// From the coefficients and, after them, the coordinates of a solution to the scalars.
+    pub of_solution: Program,
+    /// The value of each scalar, one field after another, row by row.
+    pub scalars: Vec<ValueId>,
 }
 
 /// A field of an output.
@@ -32,17 +40,11 @@ pub struct PlannedField {
     pub is_complex: bool,
     /// Whether any multiple says the same.
     pub is_projective: bool,
-    /// Its scalars, row by row.
-    pub elements: Vec<PlannedElement>,
 }
 
-/// A scalar of an output.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct PlannedElement {
-    /// The numerator.
-    pub numerator: Vec<Term>,
-    /// The divisor, if there is one.
-    pub denominator: Option<Vec<Term>>,
-    /// Whether the square root of the quotient is meant.
-    pub is_root: bool,
+impl PlannedField {
+    /// The number of its scalars.
+    pub fn scalars(&self) -> usize {
+        self.shape.iter().product()
+    }
 }

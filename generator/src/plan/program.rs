@@ -33,6 +33,8 @@ pub enum Operation {
         /// The number of the coefficient in the sum.
         at: u32,
     },
+    /// The square root of a value that depends on the solution.
+    Root(ValueId),
 }
 
 impl Operation {
@@ -86,7 +88,7 @@ impl Program {
     pub fn operands(&self, operation: Operation) -> impl Iterator<Item = ValueId> + '_ {
         let (scalars, sum) = match operation {
             Operation::Constant(_) | Operation::Input(_) => ([None, None], None),
-            Operation::Negate(a) => ([Some(a), None], None),
+            Operation::Negate(a) | Operation::Root(a) => ([Some(a), None], None),
             Operation::Add(a, b) | Operation::Subtract(a, b) | Operation::Multiply(a, b) | Operation::Divide(a, b) => {
                 ([Some(a), Some(b)], None)
             }
@@ -120,6 +122,7 @@ impl Program {
                 Operation::Multiply(a, b) => f.mul(at(a), at(b)),
                 Operation::Divide(a, b) => f.div(at(a), at(b))?,
                 Operation::Negate(a) => f.neg(at(a)),
+                Operation::Root(a) => f.root(at(a))?,
                 Operation::Coefficient { sum, at: 0 } => {
                     let sums = self.product_sums.get(*sum as usize)?.evaluate(f, |id| at(&id));
                     values.extend(sums);

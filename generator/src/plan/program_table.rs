@@ -182,10 +182,12 @@ fn is_step(program: &Program, id: ValueId) -> bool {
 }
 
 /// The kind of a step. `None` for constants and data, and for all coefficients of a sum of products
-/// but the first, which are computed with it.
+/// but the first, which are computed with it. Only results hold roots, and those of a solution are
+/// statements.
 fn kind(operation: Operation) -> Option<StepKind> {
     Some(match operation {
         Operation::Constant(_) | Operation::Input(_) | Operation::Coefficient { at: 1.., .. } => return None,
+        Operation::Root(_) => return None,
         Operation::Add(..) => StepKind::Add,
         Operation::Subtract(..) => StepKind::Subtract,
         Operation::Multiply(..) => StepKind::Multiply,

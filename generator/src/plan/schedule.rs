@@ -128,8 +128,7 @@ impl Scheduler<'_> {
             return Err(ScheduleError::TooLarge("coefficients"));
         }
         let used: Vec<ExpressionId> = coefficients.used.iter().flatten().copied().collect();
-        let of_results = problem.output.iter().flat_map(Output::polynomials).flat_map(|p| p.terms());
-        let by_results: Vec<ExpressionId> = of_results.map(|&(_, coefficient)| coefficient).collect();
+        let by_results: Vec<ExpressionId> = problem.output.iter().flat_map(Output::elements).collect();
         let (mut program, values) = straight_line_program(graph, &used, elimination.rows);
         let (mut values, zero) = (values.into_iter(), coefficients.used.contains(&None).then(|| program.zero()));
         let value = |used: &Option<ExpressionId>| used.map_or(zero, |_| values.next());

@@ -1,5 +1,7 @@
 //! From the graph of coefficient expressions to a straight-line program.
 
+use std::collections::BTreeSet;
+
 use super::program::{Operation, Program, ProgramForm, ValueId};
 use super::{PlannedDerivation, PlannedMeasurement};
 use crate::expression::derivation::{Derivation, DerivationKind};
@@ -51,6 +53,38 @@ pub(crate) fn planned_derivations(
     graph.derivations().iter().map(planned).collect()
 }
 
+/// What is computed from a solution, in two steps: coefficients from the data, once for all
+/// solutions, and the results from these and the coordinates of a solution.
+///
+/// ```text
+///   data --[ first ]--> coefficients --+--[ second ]--> results
+///                                      |
+///   coordinates of a solution ---------+
+/// ```
+///
+/// The inputs of the second program are the coefficients, then the coordinates.
+pub(crate) fn programs_of_results(graph: &ExpressionGraph, used: &[ExpressionId]) -> [(Program, Vec<ValueId>); 2] {
+    let needed = graph.needed(used);
+    let of_solution = |at: usize| needed[at] && graph.is_of_solution(graph.id(at));
+    let all = || (0..needed.len()).filter(|&at| of_solution(at));
+    let operands = all().flat_map(|at| graph.operands(graph.nodes()[at])).chain(used.iter().copied());
+    let of_data: BTreeSet<ExpressionId> = operands.filter(|&id| !graph.is_of_solution(id)).collect();
+    let (constants, coefficients): (Vec<_>, Vec<_>) =
+        of_data.into_iter().partition(|&id| graph.as_constant(id).is_some());
+    let mut inputs = vec![None; needed.len()];
+    (0..).zip(&coefficients).for_each(|(number, id)| inputs[id.index()] = Some(number));
+    let mut in_second = vec![false; needed.len()];
+    all().for_each(|at| in_second[at] = true);
+    coefficients.iter().chain(&constants).for_each(|id| in_second[id.index()] = true);
+    let input = |at: usize| match graph.nodes()[at] {
+        Expression::Unknown(number) => Some(coefficients.len() as u32 + number),
+        _ => inputs[at],
+    };
+    let (mut second, results) = in_order_of_the_graph_from(graph, used, &in_second, input);
+    second.form = ProgramForm::Statements;
+    [straight_line_program(graph, &coefficients, 0), (second, results)]
+}
+
 /// What one measurement gives.
 pub(crate) fn planned_measurement(measurement: &Measurement) -> PlannedMeasurement {
     let (program, elements) = statements_in_order(&measurement.graph, &measurement.elements);
@@ -70,7 +104,17 @@ fn statements_in_order(graph: &ExpressionGraph, used: &[ExpressionId]) -> (Progr
 /// A sum of products is taken whole, even if only some of its coefficients are used: it is computed
 /// in one loop.
 fn in_order_of_the_graph(graph: &ExpressionGraph, used: &[ExpressionId]) -> (Program, Vec<ValueId>) {
-    let needed = graph.needed(used);
+    in_order_of_the_graph_from(graph, used, &graph.needed(used), |_| None)
+}
+
+/// Like [`in_order_of_the_graph`], for the nodes that are `needed`. Some of them may be inputs of
+/// the program: `input` has their numbers.
+fn in_order_of_the_graph_from(
+    graph: &ExpressionGraph,
+    used: &[ExpressionId],
+    needed: &[bool],
+    input: impl Fn(usize) -> Option<u32>,
+) -> (Program, Vec<ValueId>) {
     let mut position = vec![ValueId(0); needed.len()];
     let mut first_of_sum: Vec<Option<u32>> = vec![None; graph.product_sums().len()];
     let mut program =
@@ -79,6 +123,7 @@ fn in_order_of_the_graph(graph: &ExpressionGraph, used: &[ExpressionId]) -> (Pro
         let next = program.operations.len() as u32;
         let to = |id: ExpressionId| position[id.index()];
         let operation = match *node {
+            _ if let Some(input) = input(at) => Operation::Input(input),
             Expression::Constant(value) => Operation::Constant(value),
             Expression::Input(input) => Operation::Input(input),
             Expression::Add(a, b) => Operation::Add(to(a), to(b)),
@@ -86,6 +131,8 @@ fn in_order_of_the_graph(graph: &ExpressionGraph, used: &[ExpressionId]) -> (Pro
             Expression::Multiply(a, b) => Operation::Multiply(to(a), to(b)),
             Expression::Divide(a, b) => Operation::Divide(to(a), to(b)),
             Expression::Negate(a) => Operation::Negate(to(a)),
+            Expression::Root(a) => Operation::Root(to(a)),
+            Expression::Unknown(number) => Operation::Input(number),
             Expression::Coefficient { sum, at: coefficient } => {
                 // The first coefficient that is met brings all others of its sum behind it.
                 let first = *first_of_sum[sum as usize].get_or_insert_with(|| {
@@ -102,7 +149,7 @@ fn in_order_of_the_graph(graph: &ExpressionGraph, used: &[ExpressionId]) -> (Pro
         position[at] = ValueId(next);
         program.operations.push(operation);
     }
-    let names = graph.names().filter(|(id, _)| needed[id.index()]);
+    let names = graph.names().filter(|(id, _)| needed[id.index()] && input(id.index()).is_none());
     program.names = names.map(|(id, name)| (position[id.index()], name.to_owned())).collect();
     (program, used.iter().map(|id| position[id.index()]).collect())
 }
@@ -140,6 +187,7 @@ fn in_runs(program: &Program, values: &[ValueId]) -> (Program, Vec<ValueId>) {
         Operation::Multiply(a, b) => Operation::Multiply(to(a), to(b)),
         Operation::Divide(a, b) => Operation::Divide(to(a), to(b)),
         Operation::Negate(a) => Operation::Negate(to(a)),
+        Operation::Root(a) => Operation::Root(to(a)),
         other => other,
     };
     let ordered = Program {
@@ -162,6 +210,7 @@ fn kind(operation: Operation) -> u8 {
         Operation::Divide(..) => 5,
         Operation::Negate(_) => 6,
         Operation::Coefficient { .. } => 7,
+        Operation::Root(_) => 8,
     }
 }
 
@@ -218,6 +267,38 @@ mod tests {
             assert_eq!(*constant, program.operations[1]);
             assert!(inputs.iter().all(|operation| matches!(operation, Operation::Input(_))));
         }
+    }
+
+    /// What depends on data only is computed once: the product of both inputs and a quotient are the
+    /// coefficients, constants are not, and nothing that depends on the solution is.
+    #[test]
+    fn results_are_computed_in_two_steps() {
+        let mut graph = ExpressionGraph::new(&[vec![12_345, 67_890], vec![54_321, 9_876]]);
+        let (a, b) = (graph.input(0), graph.input(1));
+        let [x, y] = [0, 1].map(|number| graph.unknown(number));
+        let (product, three) = (graph.mul(a, b), graph.constant(Rational::integer(3)));
+        let (scaled, sum) = (graph.mul(product, x), graph.add(x, y));
+        let of_unknowns = graph.mul(sum, three);
+        let square = graph.mul(scaled, scaled);
+        let root = graph.root(square);
+        let quotient = graph.div(a, b).unwrap();
+        let last = graph.div(root, of_unknowns).unwrap();
+        let [(first, coefficients), (second, results)] =
+            programs_of_results(&graph, &[scaled, quotient, last, ExpressionGraph::ONE]);
+        assert_eq!((coefficients.len(), results.len()), (2, 4));
+        assert!(first.is_ordered(2) && second.is_ordered(4));
+        let constants = second.operations.iter().filter(|operation| matches!(operation, Operation::Constant(_)));
+        assert_eq!(constants.count(), 2);
+        let f = PrimeField::new(PRIMES[0]);
+        let (a, b, x, y) = (91, 92, 93, 94);
+        let values = first.evaluate(f, &[a, b]).unwrap();
+        let coefficients: Vec<u32> = coefficients.iter().map(|id| values[id.0 as usize]).collect();
+        let values = second.evaluate(f, &[&coefficients[..], &[x, y]].concat()).unwrap();
+        let [scaled, quotient, last, one] = [0, 1, 2, 3].map(|at: usize| values[results[at].0 as usize]);
+        assert_eq!((scaled, f.mul(quotient, b), one), (f.mul(f.mul(a, b), x), a, 1));
+        // Of the square one of both roots.
+        let root = f.mul(last, 3 * (x + y));
+        assert!([scaled, f.sub(0, scaled)].contains(&root));
     }
 
     /// A long program and one of a large template are tables; up to the limits they are statements.

@@ -84,8 +84,7 @@ fn without_unit(monomial: Monomial) -> Monomial {
 impl Interpreter<'_> {
     /// Makes room for i; fails where all places of a monomial are taken.
     pub(super) fn enter_complex_numbers(&mut self, at: Span) -> Outcome<()> {
-        let taken = self.unknowns.len() + self.parts.as_ref().map_or(0, Vec::len);
-        if taken > IMAGINARY_UNIT {
+        if self.unknowns.len() > IMAGINARY_UNIT {
             let diagnostic = Diagnostic::new("there is no room for complex numbers", at);
             let label = format!("at most {IMAGINARY_UNIT} unknowns are allowed with them");
             return Err(self.report(diagnostic.label(label)));

@@ -169,6 +169,10 @@ impl Interpreter<'_> {
             let diagnostic = diagnostic.label(format!("this is {}", describe(x.shape())));
             return Err(self.report(diagnostic.hint("the length of a vector is `norm(v)`")));
         }
+        if self.is_in_field && self.is_of_solution(x) {
+            self.real(argument, x)?;
+            return self.root_in_field(x);
+        }
         let operands = self.data_of(function, argument, x)?;
         self.root(call, operands[0])
     }
@@ -176,10 +180,17 @@ impl Interpreter<'_> {
     /// `norm(v)`: the square root of the sum of the squares of all elements.
     pub(super) fn norm(&mut self, call: &ExprCall, function: &BuiltIn, argument: &Expr, v: &Value) -> Outcome<Value> {
         let (_, elements, _) = self.real_elements(v);
-        let all = Value::array(vec![elements.len()], elements);
-        self.data_of(function, argument, &all)?;
+        let mut all = Value::array(vec![elements.len()], elements);
+        let is_result = self.is_in_field && self.is_of_solution(&all);
+        match is_result {
+            true => all = self.operand_in_field(&all, argument)?,
+            false => drop(self.data_of(function, argument, &all)?),
+        }
         let square = self.algebra.dot(&all, &all);
         let square = Value::scalar(self.check(square, call)?);
+        if is_result {
+            return self.root_in_field(&square);
+        }
         let operands = self.data_of(function, argument, &square)?;
         self.root(call, operands[0])
     }
@@ -193,7 +204,7 @@ impl Interpreter<'_> {
         v: &Value,
     ) -> Outcome<Value> {
         let norm = self.norm(call, function, argument, v)?;
-        let norm = self.data_of(function, argument, &norm)?[0];
+        let norm = self.algebra.graph.value_of(&norm.elements()[0]);
         let Some(reciprocal) = self.algebra.graph.div(ExpressionGraph::ONE, norm) else {
             let diagnostic = Diagnostic::new("the vector is 0 for all data", place(argument));
             return Err(self.report(diagnostic));
@@ -228,9 +239,10 @@ impl Interpreter<'_> {
 
     /// The values of an array that depends on data only.
     fn data_of(&mut self, function: &BuiltIn, argument: &Expr, value: &Value) -> Outcome<Vec<ExpressionId>> {
+        let graph = &self.algebra.graph;
         let of_data = value.elements().iter().map(|element| match *element.terms() {
             [] => Some(ExpressionGraph::ZERO),
-            [(Monomial::ONE, coefficient)] => Some(coefficient),
+            [(Monomial::ONE, coefficient)] if !graph.is_of_solution(coefficient) => Some(coefficient),
             _ => None,
         });
         of_data.collect::<Option<_>>().ok_or_else(|| {

@@ -6,11 +6,9 @@ use super::Span;
 use super::functions::{BUILT_IN, non_polynomial};
 use super::interpret::Interpreter;
 use super::names::closest;
-use super::results::is_root;
 use super::scope::{Outcome, Reported};
 use super::syntax::place;
 use super::value::{MAX_DEGREE, MAX_ELEMENTS, Value, describe, fault};
-use crate::expression::ExpressionGraph;
 use crate::expression::rational::Rational;
 use crate::problem::diagnostic::Diagnostic;
 
@@ -36,9 +34,6 @@ impl Interpreter<'_> {
             Expr::Index(index) => self.index(index),
             Expr::Unary(unary) => self.unary(unary),
             Expr::Binary(binary) => self.binary(binary),
-            Expr::Call(call) if self.parts.is_some() && is_root(&call.func) && call.args.len() == 1 => {
-                self.root_in_field(expression)
-            }
             Expr::Call(call) => self.call(call),
             Expr::MethodCall(call) => self.method(call),
             Expr::Field(field) if is_part(field) => self.part_of(field),
@@ -275,6 +270,14 @@ impl Interpreter<'_> {
     /// left op right; the difference for `==`.
     pub(super) fn combine(&mut self, binary: &ExprBinary, left: &Value, right: &Value) -> Outcome<Value> {
         use BinOp::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Rem};
+        let operands;
+        let [left, right] = match binary.op {
+            Mul(_) | MulAssign(_) | Div(_) | DivAssign(_) if self.is_in_field => {
+                operands = [self.operand_in_field(left, &binary.left)?, self.operand_in_field(right, &binary.right)?];
+                operands.each_ref()
+            }
+            _ => [left, right],
+        };
         let result = match binary.op {
             Add(_) | AddAssign(_) => self.algebra.add(left, right),
             Mul(_) | MulAssign(_) => self.algebra.multiply(left, right),
@@ -295,56 +298,6 @@ impl Interpreter<'_> {
             }
             self.report(diagnostic)
         })
-    }
-
-    fn divide(&mut self, binary: &ExprBinary, left: &Value, right: &Value) -> Outcome<Value> {
-        let at = place(&binary.right);
-        let Some(divisor) = right.as_scalar() else {
-            let diagnostic = Diagnostic::new("only scalars can divide", at);
-            let hint = match *right.shape() {
-                [n, m] if n == m => "write `inverse(a) * b`, or `solve(a, b)`, for data a",
-                _ => "divide by an element, or by `norm(v)` of data v",
-            };
-            return Err(self.report(diagnostic.label(format!("this is {}", describe(right.shape()))).hint(hint)));
-        };
-        let diagnostic = match self.algebra.as_constant(divisor) {
-            Some(value) => match Rational::ONE.checked_div(value) {
-                Some(reciprocal) => {
-                    let factor = Value::scalar(self.algebra.constant(reciprocal));
-                    let result = self.algebra.multiply(left, &factor);
-                    return self.check(result, binary);
-                }
-                None => Diagnostic::new("division by zero", at).label("this is 0"),
-            },
-            None if divisor.degree() > 0 && self.parts.is_some() => {
-                let reciprocal = self.reciprocal_in_field(divisor, &binary.right)?;
-                let result = self.algebra.multiply(left, &reciprocal);
-                return self.check(result, binary);
-            }
-            None if divisor.degree() > 0 => Diagnostic::new("division by an unknown is not polynomial", at)
-                .label("this depends on unknowns")
-                .hint("multiply the equation by it, and state `divisor != 0;`"),
-            None => {
-                // A polynomial of degree 0 that is not a constant is a value of the data.
-                let coefficient = divisor.terms().first().map_or(ExpressionGraph::ONE, |&(_, coefficient)| coefficient);
-                let Some(reciprocal) = self.algebra.graph.div(ExpressionGraph::ONE, coefficient) else {
-                    let diagnostic = Diagnostic::new("division by zero", at);
-                    return Err(self.report(diagnostic.label("this is 0 for all data")));
-                };
-                let result = self.algebra.multiply(left, &Value::scalar(self.algebra.data(reciprocal)));
-                return self.check(result, binary);
-            }
-        };
-        Err(self.report(diagnostic))
-    }
-
-    /// Remainder of constant integers, non-negative: `(i + 1) % 3` is the next of three.
-    fn remainder(&mut self, binary: &ExprBinary) -> Outcome<Value> {
-        let (left, right) = (self.index_value(&binary.left)?, self.index_value(&binary.right)?);
-        match left.checked_rem_euclid(right) {
-            Some(remainder) => Ok(self.integer(remainder)),
-            None => Err(self.report(Diagnostic::new("division by zero", place(&binary.right)).label("this is 0"))),
-        }
     }
 
     fn method(&mut self, call: &ExprMethodCall) -> Outcome<Value> {
@@ -371,7 +324,10 @@ impl Interpreter<'_> {
 
     fn power(&mut self, base: &Expr, exponent: &Expr) -> Outcome<Value> {
         let (value, n) = (self.evaluate(base), self.index_value(exponent));
-        let (value, n) = (value?, n?);
+        let (mut value, n) = (value?, n?);
+        if self.is_in_field {
+            value = self.operand_in_field(&value, base)?;
+        }
         let Some(polynomial) = value.as_scalar() else {
             let diagnostic = Diagnostic::new("only scalars have powers", place(base));
             return Err(self.report(

@@ -6,8 +6,9 @@ use super::interpret::{Interpreter, WORK_OF_A_SCOPE};
 use super::names::closest;
 use super::scope::{Binding, Kind, Outcome, Reported};
 use super::syntax::place;
-use super::value::{IMAGINARY_UNIT, Value, describe};
-use crate::algebra::{MAX_UNKNOWNS, Monomial, Polynomial};
+use super::value::{Value, describe};
+use crate::algebra::{Monomial, Polynomial};
+use crate::expression::ExpressionId;
 use crate::expression::rational::Rational;
 use crate::problem::diagnostic::Diagnostic;
 
@@ -92,13 +93,13 @@ impl Interpreter<'_> {
         }
         let arguments: Vec<&Expr> = call.args.iter().collect();
         let values: Vec<Outcome<Value>> = arguments.iter().map(|argument| self.evaluate(argument)).collect();
-        let values: Vec<Value> = values.into_iter().collect::<Outcome<_>>()?;
+        let mut values: Vec<Value> = values.into_iter().collect::<Outcome<_>>()?;
+        if self.is_in_field && built_in.is_none_or(|function| function.name != "gradient") {
+            let operands = values.iter().zip(&arguments).map(|(value, at)| self.operand_in_field(value, at));
+            values = operands.collect::<Outcome<_>>()?;
+        }
         match (helper, built_in) {
-            (Some(helper), _) => {
-                let values = values.into_iter().zip(&arguments).map(|(value, at)| self.passed_in_field(value, at));
-                let values = values.collect::<Outcome<_>>()?;
-                self.call_helper(call, helper, &arguments, values)
-            }
+            (Some(helper), _) => self.call_helper(call, helper, &arguments, values),
             (None, Some(function)) => self.call_built_in(call, function, &arguments, &values),
             (None, None) => Err(Reported),
         }
@@ -283,12 +284,14 @@ impl Interpreter<'_> {
                 (by.shape().to_vec(), unknowns)
             }
         };
-        let known = self.unknowns.len();
-        let end = if self.algebra.has_imaginary_unit { IMAGINARY_UNIT } else { MAX_UNKNOWNS };
-        let has_parts = |m: Monomial| (known..end).any(|at| m.exponent(at) != 0);
-        if polynomial.monomials().any(has_parts) || unknowns.iter().any(|&unknown| unknown >= known) {
-            let diagnostic = Diagnostic::new("derivatives of quotients and square roots are not known", place(call));
-            return Err(self.report(diagnostic));
+        let graph = &self.algebra.graph;
+        let is_of_solution = |&(_, coefficient): &(Monomial, ExpressionId)| graph.is_of_solution(coefficient);
+        if polynomial.terms().iter().any(is_of_solution) {
+            let diagnostic =
+                Diagnostic::new("the derivative of what is computed from unknowns is not known", place(call));
+            return Err(
+                self.report(diagnostic.label("a quotient, a square root, or a sum that was passed to a helper"))
+            );
         }
         let derivatives: Result<_, _> =
             unknowns.iter().map(|&unknown| self.algebra.derivative(polynomial, unknown)).collect();

@@ -9,7 +9,7 @@ use syn::{BinOp, Block, Expr, ExprBinary, ExprForLoop, ItemFn, Local, Pat, Range
 
 use super::data::PARTS;
 use super::names::emitted_name;
-use super::output::{Output, OutputElement};
+use super::output::Output;
 use super::scope::{Binding, Kind, Outcome, Reported, Scopes};
 use super::syntax::place;
 use super::value::{Algebra, Checked, MAX_ELEMENTS, Value, describe, fault};
@@ -48,8 +48,9 @@ pub(super) struct Interpreter<'a> {
     pub(super) output: Option<Output>,
     /// Whether a scene is evaluated, which has no unknowns.
     pub(super) is_scene: bool,
-    /// The parts of the output, while its fields are evaluated.
-    pub(super) parts: Option<Vec<OutputElement>>,
+    /// Whether a field of the output is evaluated, or what stands before it for the sake of the
+    /// output alone.
+    pub(super) is_in_field: bool,
     /// The polynomials of the equations.
     stated: HashSet<SymbolicPolynomial>,
     /// Place of each equation statement: whether some element of it was not 0 = 0.
@@ -75,7 +76,7 @@ impl<'a> Interpreter<'a> {
             positive: Vec::new(),
             output: None,
             is_scene: false,
-            parts: None,
+            is_in_field: false,
             stated: HashSet::new(),
             says_something: BTreeMap::new(),
             repeated: 0,
@@ -294,6 +295,7 @@ impl<'a> Interpreter<'a> {
     fn run_binary(&mut self, expression: &Expr, binary: &ExprBinary) {
         match binary.op {
             BinOp::Eq(_) | BinOp::Ne(_) if self.is_scene => self.refuse_in_scene(expression),
+            BinOp::Eq(_) | BinOp::Ne(_) | BinOp::Gt(_) | BinOp::Lt(_) if self.is_in_field => {}
             BinOp::Eq(_) => self.state_equation(expression, binary),
             BinOp::Ne(_) => self.state_nonzero(expression, binary),
             BinOp::Gt(_) | BinOp::Lt(_) => self.state_inequality(expression, binary),

@@ -7,6 +7,7 @@ mod condition;
 pub mod data;
 mod derived;
 pub mod diagnostic;
+mod division;
 pub mod draw;
 mod evaluate;
 mod functions;

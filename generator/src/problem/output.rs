@@ -2,21 +2,18 @@
 
 use std::ops::Range;
 
-use crate::expression::SymbolicPolynomial;
+use crate::expression::ExpressionId;
 
 /// What a problem returns beside its unknowns: `Pose { rotation: r, depth: d }`.
 ///
-/// The polynomials hold the unknowns, after them one more for each vector that is given up to
-/// scale, the last coordinate of that vector, of length 1, and then the parts.
+/// Its values depend on data and on coordinates of a solution: the unknowns, and after them one
+/// more for each vector that is given up to scale, the last coordinate of that vector, of length 1.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Output {
     /// The name of the struct.
     pub name: String,
     /// The name in snake case, after which the functions are named that return it.
     pub function: String,
-    /// Values inside of the fields that are no polynomials, or are computed once. Each may depend
-    /// on those before it.
-    pub parts: Vec<OutputElement>,
     /// Its fields.
     pub fields: Vec<OutputField>,
     /// Where it stands.
@@ -34,25 +31,13 @@ pub struct OutputField {
     pub is_complex: bool,
     /// `#[projective]`: any multiple says the same.
     pub is_projective: bool,
-    /// Its scalars, row by row.
-    pub elements: Vec<OutputElement>,
-}
-
-/// A polynomial, a quotient of two, or the square root of such.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct OutputElement {
-    /// The numerator.
-    pub numerator: SymbolicPolynomial,
-    /// The divisor, if it depends on unknowns.
-    pub denominator: Option<SymbolicPolynomial>,
-    /// Whether the square root of the quotient is meant.
-    pub is_root: bool,
+    /// Its scalars, row by row, in the graph of the problem.
+    pub elements: Vec<ExpressionId>,
 }
 
 impl Output {
-    /// All polynomials that it is computed from.
-    pub fn polynomials(&self) -> impl Iterator<Item = &SymbolicPolynomial> {
-        let elements = self.parts.iter().chain(self.fields.iter().flat_map(|field| &field.elements));
-        elements.flat_map(|element| std::iter::once(&element.numerator).chain(&element.denominator))
+    /// The scalars of all fields, one field after another.
+    pub fn elements(&self) -> impl Iterator<Item = ExpressionId> + '_ {
+        self.fields.iter().flat_map(|field| field.elements.iter().copied())
     }
 }

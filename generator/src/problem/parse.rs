@@ -81,6 +81,13 @@ fn parse_source(source: &SourceFile) -> Result<Problem, Vec<Diagnostic>> {
     let measurements = read_measurements(&items, &data)?;
 
     let mut body = run(&items, function, (&data, &unknowns), Elements::InChart);
+    compute_results(&mut body, |graph| {
+        let mut results = Interpreter::new(graph, &items.helpers);
+        declare_constants(&mut results, &items.constants);
+        results.is_in_field = true;
+        run_body(&mut results, function, (&data, &unknowns), Elements::InChart);
+        results
+    });
     enter_charts(&mut body, &unknowns);
     check_counts(&mut body, function, &unknowns);
     check_data(&mut body, &data);
@@ -139,12 +146,35 @@ fn run<'a>(
     elements: Elements,
 ) -> Interpreter<'a> {
     let mut body = Interpreter::new(ExpressionGraph::new(&fingerprint_points(data)), &items.helpers);
-    body.data = data.to_vec();
     declare_constants(&mut body, &items.constants);
-    body.scopes.enter();
-    declare_signature((&mut body, elements), data, unknowns);
-    body.run_block(&function.block);
+    run_body(&mut body, function, (data, unknowns), elements);
     body
+}
+
+fn run_body(
+    body: &mut Interpreter<'_>,
+    function: &ItemFn,
+    (data, unknowns): (&[DataParameter], &[SolutionField]),
+    elements: Elements,
+) {
+    body.data = data.to_vec();
+    body.scopes.enter();
+    declare_signature((body, elements), data, unknowns);
+    body.run_block(&function.block);
+}
+
+/// Runs the body once more for results alone, with all that is multiplied on the way to them as a
+/// value: what stands before the struct was expanded for the equations. Where that fails, as for
+/// the derivative of a product, results stay polynomials of what stands before.
+fn compute_results<'a>(body: &mut Interpreter<'a>, again: impl FnOnce(ExpressionGraph) -> Interpreter<'a>) {
+    if body.output.is_none() || body.has_messages() {
+        return;
+    }
+    let results = again(body.algebra.graph.without_solution());
+    if !results.has_messages() {
+        body.output = results.output;
+        body.algebra.graph = results.algebra.graph;
+    }
 }
 
 /// The measurements that the data name, each once.
@@ -423,10 +453,9 @@ fn check_data(body: &mut Interpreter<'_>, data: &[DataParameter]) {
         return;
     }
     let statements = body.equations.iter().chain(&body.nonzero).chain(&body.positive);
-    let of_output = body.output.iter().flat_map(Output::polynomials);
-    let polynomials = statements.map(|statement| &statement.polynomial).chain(of_output);
-    let coefficients = polynomials.flat_map(|p| p.terms()).map(|&(_, coefficient)| coefficient);
-    let coefficients: Vec<ExpressionId> = coefficients.collect();
+    let coefficients = statements.flat_map(|s| s.polynomial.terms()).map(|&(_, coefficient)| coefficient);
+    let of_output = body.output.iter().flat_map(Output::elements);
+    let coefficients: Vec<ExpressionId> = coefficients.chain(of_output).collect();
     let needed = body.algebra.graph.needed_by_way_of_derivations(&coefficients, |_| true);
     let is_read = |input: usize| needed[body.algebra.graph.input(input).index()];
     let is_unused =

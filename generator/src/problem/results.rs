@@ -4,16 +4,13 @@
 use syn::{Attribute, BinOp, Expr, ExprBinary, ExprStruct, FieldValue, Member, Meta};
 
 use super::Statement;
-use super::functions::BUILT_IN;
 use super::interpret::Interpreter;
 use super::names::{refuse, snake_case};
-use super::output::{Output, OutputElement, OutputField};
-use super::scope::Outcome;
+use super::output::{Output, OutputField};
+use super::scope::{Outcome, Reported};
 use super::syntax::place;
-use super::value::{Algebra, IMAGINARY_UNIT, Value, describe};
-use crate::algebra::{MAX_UNKNOWNS, Monomial, Polynomial};
-use crate::expression::rational::Rational;
-use crate::expression::{ExpressionGraph, SymbolicPolynomial};
+use super::value::{Algebra, Value, describe};
+use crate::expression::{ExpressionId, SymbolicPolynomial};
 use crate::problem::diagnostic::Diagnostic;
 
 /// Types, traits and parameters that the emitted module has or names: a struct would hide them.
@@ -53,7 +50,7 @@ impl Interpreter<'_> {
             return;
         }
         let Ok(name) = self.name_of_output(stated) else { return };
-        self.parts = Some(Vec::new());
+        let is_inside = std::mem::replace(&mut self.is_in_field, true);
         let mut fields: Vec<OutputField> = Vec::new();
         for field in &stated.fields {
             let Member::Named(ident) = &field.member else {
@@ -68,7 +65,7 @@ impl Interpreter<'_> {
                 continue;
             }
             let Ok(is_projective) = self.is_up_to_scale(field) else { continue };
-            if let Ok(OutputValue { shape, is_complex, elements }) = self.output_elements(&field.expr) {
+            if let Ok((shape, elements, is_complex)) = self.output_elements(&field.expr) {
                 if is_projective && (is_complex || shape.is_empty()) {
                     let diagnostic = Diagnostic::new("this field cannot be given up to scale", place(&field.expr));
                     self.report(diagnostic.label("expected an array of real numbers"));
@@ -76,8 +73,9 @@ impl Interpreter<'_> {
                 fields.push(OutputField { name: ident.to_string(), shape, is_complex, is_projective, elements });
             }
         }
-        let (function, parts) = (snake_case(&name), self.parts.take().unwrap_or_default());
-        self.output = Some(Output { name, function, parts, fields, span });
+        self.is_in_field = is_inside;
+        let function = snake_case(&name);
+        self.output = Some(Output { name, function, fields, span });
     }
 
     /// Whether a field is marked as one of which any multiple says the same.
@@ -116,94 +114,52 @@ impl Interpreter<'_> {
         Ok(name)
     }
 
-    /// The shape and the scalars of a field. Quotients and square roots that hold unknowns are
-    /// parts, but for the outermost operation.
-    fn output_elements(&mut self, expression: &Expr) -> Outcome<OutputValue> {
-        match expression {
-            Expr::Paren(inner) => self.output_elements(&inner.expr),
-            Expr::Binary(binary) if matches!(binary.op, BinOp::Div(_)) => self.quotient(binary),
-            Expr::Call(call) if is_root(&call.func) && call.args.len() == 1 => {
-                let mut value = self.output_elements(&call.args[0])?;
-                let OutputValue { shape, elements, .. } = &mut value;
-                if !shape.is_empty() || elements.iter().any(|element| element.is_root) {
-                    let diagnostic = Diagnostic::new("`sqrt` needs a polynomial or a quotient", place(&call.args[0]));
-                    return Err(self.report(diagnostic));
-                }
-                if elements.iter().all(|e| e.denominator.is_none() && e.numerator.degree() == 0) {
-                    return self.call(call).map(|value| self.as_elements(&value));
-                }
-                elements.iter_mut().for_each(|element| element.is_root = true);
-                Ok(value)
-            }
-            _ => self.evaluate(expression).map(|value| self.as_elements(&value)),
-        }
+    /// The shape and the scalars of a field, and whether it is complex.
+    fn output_elements(&mut self, expression: &Expr) -> Outcome<(Vec<usize>, Vec<ExpressionId>, bool)> {
+        let value = self.evaluate(expression)?;
+        self.charge(value.weight(), expression)?;
+        let (shape, elements, is_complex) = self.real_elements(&value);
+        let elements = elements.iter().map(|element| self.algebra.graph.value_of(element)).collect();
+        Ok((shape, elements, is_complex))
     }
 
-    fn quotient(&mut self, binary: &ExprBinary) -> Outcome<OutputValue> {
-        let (left, right) = (self.evaluate(&binary.left), self.evaluate(&binary.right));
-        let (left, right) = self.with_real_divisor(left?, right?, &binary.right)?;
-        let divisor = right.as_scalar().filter(|divisor| divisor.degree() > 0).cloned();
-        if divisor.is_none() {
-            return self.combine(binary, &left, &right).map(|value| self.as_elements(&value));
-        }
-        let mut quotient = self.as_elements(&left);
-        quotient.elements.iter_mut().for_each(|element| element.denominator.clone_from(&divisor));
-        Ok(quotient)
+    /// Inside of a field what is multiplied, or passed to a function, is a value: it is computed
+    /// once, whatever is made of it. Sums of products would be expanded otherwise. Powers of single
+    /// unknowns stay as they are, so that there are derivatives by them.
+    pub(super) fn operand_in_field(&mut self, operand: &Value, at: &Expr) -> Outcome<Value> {
+        self.charge(operand.weight(), at)?;
+        let elements = operand.elements().iter().map(|element| {
+            let [re, im] = self.algebra.parts(element).map(|part| match part.terms().len() {
+                0 | 1 => part,
+                _ => self.value_in_field(&part),
+            });
+            Algebra::join([&re, &im])
+        });
+        let elements = elements.collect();
+        Ok(Value::array(operand.shape().to_vec(), elements))
     }
 
-    /// The square root of what depends on unknowns, inside of a field.
-    pub(super) fn root_in_field(&mut self, root: &Expr) -> Outcome<Value> {
-        let value = self.output_elements(root)?;
-        match <[OutputElement; 1]>::try_from(value.elements) {
-            Ok([element]) if element.is_root => self.part(element, root),
-            Ok([element]) => Ok(Value::scalar(element.numerator)),
-            Err(_) => Err(self.report(Diagnostic::new("`sqrt` needs a scalar", place(root)))),
-        }
+    /// The value of a real polynomial at the solution.
+    fn value_in_field(&mut self, polynomial: &SymbolicPolynomial) -> SymbolicPolynomial {
+        let value = self.algebra.graph.value_of(polynomial);
+        self.algebra.data(value)
     }
 
-    /// The reciprocal of what depends on unknowns, inside of a field.
-    pub(super) fn reciprocal_in_field(&mut self, divisor: &SymbolicPolynomial, at: &Expr) -> Outcome<Value> {
-        let numerator = self.algebra.constant(Rational::ONE);
-        self.part(OutputElement { numerator, denominator: Some(divisor.clone()), is_root: false }, at)
+    /// The square root of a real scalar that depends on unknowns, inside of a field.
+    pub(super) fn root_in_field(&mut self, square: &Value) -> Outcome<Value> {
+        let Some(polynomial) = square.as_scalar() else { return Err(Reported) };
+        let square = self.algebra.graph.value_of(polynomial);
+        let root = self.algebra.graph.root(square);
+        Ok(Value::scalar(self.algebra.data(root)))
     }
 
-    /// Inside of a field a sum that is passed to a helper is a part: whatever the helper does with
-    /// it, it is computed once.
-    pub(super) fn passed_in_field(&mut self, value: Value, at: &Expr) -> Outcome<Value> {
-        match value.as_scalar() {
-            Some(sum) if self.parts.is_some() && self.algebra.is_complex(sum) => {
-                let parts = self.algebra.parts(sum).map(|part| self.passed_in_field(Value::scalar(part), at));
-                let [re, im] = parts;
-                let (re, im) = (re?, im?);
-                let joined = Algebra::join([&re.elements()[0], &im.elements()[0]]);
-                Ok(Value::scalar(joined))
-            }
-            Some(sum) if self.parts.is_some() && sum.degree() > 0 && sum.terms().len() > 1 => {
-                let element = plain(sum);
-                self.part(element, at)
-            }
-            _ => Ok(value),
-        }
-    }
-
-    /// A value that stands for a part of the output.
-    fn part(&mut self, element: OutputElement, at: &Expr) -> Outcome<Value> {
-        let (first, parts) = (self.unknowns.len(), self.parts.get_or_insert_default());
-        let number = parts.iter().position(|known| *known == element).unwrap_or(parts.len());
-        let end = if self.algebra.has_imaginary_unit { IMAGINARY_UNIT } else { MAX_UNKNOWNS };
-        if first + number >= end {
-            let diagnostic = Diagnostic::new(
-                "the results hold too many quotients, roots and sums that are passed to helpers",
-                place(at),
-            );
-            let most = end - first;
-            return Err(self.report(diagnostic.label(format!("at most {most} are allowed beside the unknowns"))));
-        }
-        if number == parts.len() {
-            parts.push(element);
-        }
-        let monomial = Monomial::unknown(first + number);
-        Ok(Value::scalar(Polynomial::from_terms(vec![(monomial, ExpressionGraph::ONE)])))
+    /// Whether a value depends on unknowns.
+    pub(super) fn is_of_solution(&self, value: &Value) -> bool {
+        let graph = &self.algebra.graph;
+        let depends = |p: &SymbolicPolynomial| {
+            p.degree() > 0 || p.terms().iter().any(|&(_, coefficient)| graph.is_of_solution(coefficient))
+        };
+        value.elements().iter().flat_map(|element| self.algebra.parts(element)).any(|part| depends(&part))
     }
 
     /// `left > right` or `left < right`: `solve` returns no other solutions.
@@ -246,11 +202,6 @@ impl Interpreter<'_> {
         ))
     }
 
-    fn as_elements(&self, value: &Value) -> OutputValue {
-        let (shape, elements, is_complex) = self.real_elements(value);
-        OutputValue { shape, is_complex, elements: elements.iter().map(plain).collect() }
-    }
-
     fn difference(&mut self, binary: &ExprBinary, larger: &Value, smaller: &Value) -> Outcome<Value> {
         if smaller.is_scalar_zero() {
             return Ok(larger.clone());
@@ -258,23 +209,6 @@ impl Interpreter<'_> {
         let difference = self.algebra.subtract(larger, smaller);
         self.check(difference, binary)
     }
-}
-
-fn plain(numerator: &SymbolicPolynomial) -> OutputElement {
-    OutputElement { numerator: numerator.clone(), denominator: None, is_root: false }
-}
-
-/// The value of a field.
-struct OutputValue {
-    shape: Vec<usize>,
-    is_complex: bool,
-    elements: Vec<OutputElement>,
-}
-
-/// Whether a call is one of the function `sqrt` of the language.
-pub(super) fn is_root(function: &Expr) -> bool {
-    let is_built_in = |name: &syn::Ident| name == "sqrt" && BUILT_IN.iter().any(|known| known.name == "sqrt");
-    matches!(function, Expr::Path(path) if path.path.get_ident().is_some_and(is_built_in))
 }
 
 /// Checks that an inequality means the same for both signs of a vector that is given up to scale.

@@ -93,6 +93,8 @@ impl<'a> Weights<'a> {
     fn of_node(&mut self, node: &Expression) -> Form {
         match *node {
             Expression::Constant(_) => Form::new(),
+            // Equations do not depend on their solutions.
+            Expression::Unknown(_) | Expression::Root(_) => Form::new(),
             Expression::Input(input) => Form::from([(input as usize, 1)]),
             Expression::Negate(a) => self.of_value(a).clone(),
             Expression::Multiply(a, b) => sum(self.of_value(a), self.of_value(b), 1),

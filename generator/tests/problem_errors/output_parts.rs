@@ -8,9 +8,16 @@ fn output_parts(a: f64, b: f64) -> (x, y) {
             1 / (x + 9), 1 / (x + 10), 1 / (x + 11), 1 / (x + 12), 1 / (x + 13), 1 / (x + 14), 1 / (x + 15),
         ],
         again: reciprocal(x) + reciprocal(x),
+        inner: inverse([[x, 1], [1, y]]),
+        never: 1 / (square(x + y) - x * x - 2 * x * y - y * y),
+        roots: sqrt([x + y, x - y]),
     }
 }
 
 fn reciprocal(x: f64) -> f64 {
     1 / x
+}
+
+fn square(x: f64) -> f64 {
+    x * x
 }

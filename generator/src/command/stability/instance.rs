@@ -101,7 +101,7 @@ fn parse(line: &str, plans: &[&Plan]) -> Result<Instance, String> {
     for solution in &mut instance.solutions {
         *solution = in_charts(plan, solution)?;
     }
-    let returned: usize = plan.output.iter().flat_map(|output| &output.fields).map(|field| field.elements.len()).sum();
+    let returned: usize = plan.output.iter().map(|output| output.scalars.len()).sum();
     if let Some(results) = instance.results.iter().find(|results| results.len() != returned) {
         return Err(format!("`{name}` returns {returned} numbers, not {}", results.len()));
     }

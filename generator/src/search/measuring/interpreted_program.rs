@@ -98,6 +98,7 @@ pub(super) fn values<R: Scalar>(program: &program::Program, inputs: &[R]) -> Vec
             program::Operation::Multiply(a, b) => at(a) * at(b),
             program::Operation::Divide(a, b) => at(a) / at(b),
             program::Operation::Negate(a) => -at(a),
+            program::Operation::Root(a) => at(a).sqrt(),
             program::Operation::Coefficient { sum, at: own } => {
                 let terms = program.product_sums[sum as usize].terms(own as usize);
                 let signed = terms.map(|(negative, a, b)| if negative { -(at(a) * at(b)) } else { at(a) * at(b) });

@@ -3,8 +3,7 @@
 use eliminant::emitted::{chart_entry, to_chart, vector_of};
 
 use crate::expression::arithmetic::Float64;
-use crate::plan::output::PlannedElement;
-use crate::plan::{Plan, Term, interpret};
+use crate::plan::{Plan, interpret};
 use crate::problem::SolutionField;
 use crate::problem::scene::DrawnScene;
 
@@ -44,7 +43,7 @@ pub(crate) fn is_among(returned: &[Vec<f64>], known: &[Option<f64>]) -> bool {
 pub(crate) fn is_among_results(plan: &Plan, mut returned: Vec<Vec<f64>>, known: &[Option<f64>]) -> bool {
     let (mut known, mut start) = (known.to_vec(), 0);
     for field in plan.output.iter().flat_map(|output| &output.fields) {
-        let place = start..start + field.elements.len();
+        let place = start..start + field.scalars();
         start = place.end;
         let stated: Vec<f64> = known[place.clone()].iter().copied().flatten().collect();
         if !field.is_projective || stated.len() < place.len() {
@@ -119,15 +118,17 @@ pub fn results_of(plan: &Plan, data: &[f64], points: &[Vec<f64>]) -> Vec<Vec<f64
         return Vec::new();
     };
     let of_point = |point: &Vec<f64>| {
-        let mut x = variables(plan, point);
-        output.parts.iter().for_each(|part| x.push(value(part, &coefficients, &x)));
-        let elements = output.fields.iter().flat_map(|field| &field.elements);
-        elements.map(|element| value(element, &coefficients, &x)).collect()
+        let inputs = [&coefficients[..], &variables(plan, point)].concat();
+        match output.of_solution.evaluate(Float64, &inputs) {
+            Some(values) => output.scalars.iter().map(|id| values[id.0 as usize]).collect(),
+            // A divisor is 0.
+            None => vec![f64::NAN; output.scalars.len()],
+        }
     };
     points.iter().map(of_point).collect()
 }
 
-/// What the polynomials of results hold: the unknowns, of vectors that are given up to scale their
+/// The coordinates that results are computed from: the unknowns, of vectors that are given up to scale their
 /// coordinates; then the last coordinate of each of these.
 fn variables(plan: &Plan, point: &[f64]) -> Vec<f64> {
     let (mut x, mut last) = (point.to_vec(), Vec::new());
@@ -144,19 +145,4 @@ fn variables(plan: &Plan, point: &[f64]) -> Vec<f64> {
     }
     x.extend(last);
     x
-}
-
-/// The value of a scalar of the results.
-fn value(element: &PlannedElement, coefficients: &[f64], x: &[f64]) -> f64 {
-    let sum = |terms: &[Term]| terms.iter().map(|term| product(term, coefficients, x)).sum::<f64>();
-    let quotient = match &element.denominator {
-        Some(divisor) => sum(&element.numerator) / sum(divisor),
-        None => sum(&element.numerator),
-    };
-    if element.is_root { quotient.sqrt() } else { quotient }
-}
-
-fn product(term: &Term, coefficients: &[f64], x: &[f64]) -> f64 {
-    let powers = term.exponents.iter().zip(x).map(|(&exponent, x)| x.powi(exponent.into()));
-    coefficients[usize::from(term.coefficient.0)] * powers.product::<f64>()
 }

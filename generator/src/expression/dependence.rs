@@ -1,0 +1,32 @@
+//! What the values of a graph depend on.
+
+use super::graph::{Expression, ExpressionGraph, ExpressionId};
+use super::product_sum::ProductSum;
+
+impl ExpressionGraph {
+    /// Which nodes these depend on, themselves included. Derived data depend on nothing here.
+    pub fn needed(&self, used: &[ExpressionId]) -> Vec<bool> {
+        let mut needed = vec![false; self.nodes().len()];
+        used.iter().for_each(|id| needed[id.index()] = true);
+        for at in (0..needed.len()).rev() {
+            if needed[at] {
+                self.operands(self.nodes()[at]).for_each(|id| needed[id.index()] = true);
+            }
+        }
+        needed
+    }
+
+    /// What a node is computed from; for a coefficient all operands of its sum.
+    pub fn operands(&self, node: Expression) -> impl Iterator<Item = ExpressionId> + '_ {
+        let (scalars, sum) = match node {
+            Expression::Constant(_) | Expression::Input(_) | Expression::Unknown(_) => ([None, None], None),
+            Expression::Negate(a) | Expression::Root(a) => ([Some(a), None], None),
+            Expression::Add(a, b)
+            | Expression::Subtract(a, b)
+            | Expression::Multiply(a, b)
+            | Expression::Divide(a, b) => ([Some(a), Some(b)], None),
+            Expression::Coefficient { sum, .. } => ([None, None], self.product_sums().get(sum as usize)),
+        };
+        scalars.into_iter().flatten().chain(sum.into_iter().flat_map(ProductSum::operands))
+    }
+}
