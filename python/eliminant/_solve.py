@@ -91,12 +91,12 @@ def solve(
     solver = SOLVERS[name]
     arrays, count = data(solver.data, HOMOGENEOUS.get(name, ()), values)
     wanted = _wanted(solver, results)
-    names = [name for name, _ in wanted]
+    of = (solver.number, [name for name, _ in wanted])
     if count < 0:
-        solved = _eliminant.solve_one(solver.number, arrays, names)
+        solved = _eliminant.solve_one(of, arrays)
     else:
         with counted(progress, name, " instances") as report:
-            solved = _eliminant.solve_batch(solver.number, arrays, count, names, report)
+            solved = _eliminant.solve_batch(of, arrays, count, report)
     return arranged(solver.fields, wanted, solver.most, solved, count >= 0)
 
 

@@ -31,20 +31,19 @@ pub(crate) struct Lists<'py> {
     status: PyReadwriteArray1<'py, u16>,
 }
 
-/// Solves `count` instances by the solver with this number, and returns the results of these names.
+/// Solves `count` instances `of` a solver, by its number, and returns its results of these names.
 /// Each array holds the data of all instances, or those that all share. Between whiles `progress`
 /// is called with the number of instances that are done, and of all.
 #[pyfunction]
-#[pyo3(signature = (solver, arrays, count, results, progress = None))]
+#[pyo3(signature = (of, arrays, count, progress = None))]
 pub(crate) fn solve_batch<'py>(
     py: Python<'py>,
-    solver: usize,
+    of: (usize, Vec<String>),
     arrays: Vec<PyReadonlyArrayDyn<'py, f64>>,
     count: usize,
-    results: Vec<String>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Solved<'py>> {
-    let solver = numbered(solver)?;
+    let (solver, results) = (numbered(of.0)?, of.1);
     let values = values(solver.name, solver.data, &arrays, count)?;
     let mut lists = Lists::new(py, solver.sizes.of_results(solver.results, &results), count)?;
     let mut found = lists.found()?;
@@ -69,18 +68,17 @@ pub(crate) fn solve_batch<'py>(
     Ok(lists.into_arrays())
 }
 
-/// Solves one instance, and returns the results of these names.
+/// Solves one instance `of` a solver, by its number, and returns its results of these names.
 ///
 /// # Errors
 /// That of the solver, as `SolveError`.
 #[pyfunction]
 pub(crate) fn solve_one<'py>(
     py: Python<'py>,
-    solver: usize,
+    of: (usize, Vec<String>),
     arrays: Vec<PyReadonlyArrayDyn<'py, f64>>,
-    results: Vec<String>,
 ) -> PyResult<Solved<'py>> {
-    let solver = numbered(solver)?;
+    let (solver, results) = (numbered(of.0)?, of.1);
     let values = values(solver.name, solver.data, &arrays, 1)?;
     let mut lists = Lists::new(py, solver.sizes.of_results(solver.results, &results), 1)?;
     let mut found = lists.found()?;

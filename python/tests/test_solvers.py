@@ -130,6 +130,27 @@ def test_batches_of_all_lengths_agree(rng):
         np.testing.assert_allclose(part.values, all_of_them.values[:n], rtol=1e-6, atol=1e-9)
 
 
+def test_results_that_are_asked_for(rng):
+    """Arrays that are left out change no other, of batches of one piece and of several."""
+    views = scenes.two_views(rng, 600, 5)
+    first, second = views["first"], views["second"]
+    for n in (3, 600):
+        every = eliminant.relpose_5pt_rays(first[:n], second[:n])
+        for names in (["essential"], ["translation", "essential"], "rotation", iter(["rotation"]), []):
+            some = eliminant.relpose_5pt_rays(first[:n], second[:n], results=names)
+            np.testing.assert_array_equal(some.values, every.values)
+            for name in set(some.names):
+                np.testing.assert_array_equal(some[name], every[name])
+    some = eliminant.relpose_5pt_rays(first, second, results=["translation", "essential"])
+    assert some.names == ("weights", "essential", "translation")
+    one = eliminant.relpose_5pt_rays(first[0], second[0], results=["translation"])
+    assert one.names == ("weights", "translation") and one.translation.shape == (len(one), 3)
+    with pytest.raises(ValueError, match="no result `poses`: there are essential, rotation, translation"):
+        eliminant.relpose_5pt_rays(first, second, results=["rotation", "poses"])
+    with pytest.raises(TypeError):
+        eliminant.relpose_5pt_rays(first, second, results=3)
+
+
 def test_a_shared_argument_holds_for_all_instances(rng):
     view = scenes.one_view(rng, 5, 3)
     points = view["points"][0]
