@@ -6,6 +6,7 @@ mod support;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use eliminant_generator::check::check;
@@ -206,6 +207,37 @@ fn wherever_a_search_ends_what_it_has_found_holds() {
         }
     }
     assert!(nothing > 0 && some > 0, "{nothing} {some}");
+}
+
+/// A monitor that counts the steps of each part of the work.
+#[derive(Default)]
+struct Counting(Mutex<Vec<[usize; 2]>>);
+
+impl Monitor for Counting {
+    fn say(&self, _: &str) {}
+
+    fn begin(&self, _: &str, steps: usize) {
+        self.0.lock().unwrap().push([steps, 0]);
+    }
+
+    fn step(&self) {
+        self.0.lock().unwrap().last_mut().unwrap()[1] += 1;
+    }
+
+    fn is_over(&self, _: Stage) -> bool {
+        false
+    }
+}
+
+#[test]
+fn a_search_tells_how_much_is_done_and_how_much_is_left() {
+    let problem = Problem::parse("two_conics.rs", TWO_CONICS).unwrap();
+    let counting = Counting::default();
+    let found = candidates(&problem, &check(&problem).unwrap(), &SearchOptions::default(), &counting).unwrap();
+    let parts = counting.0.into_inner().unwrap();
+    let [[growing, grown], [planning, planned]] = parts[..] else { panic!("{parts:?}") };
+    assert_eq!((growing, grown, planned), (found.strategies, found.strategies, planning));
+    assert!(planning >= found.candidates.len());
 }
 
 #[cfg(unix)]

@@ -471,7 +471,8 @@ fn gradients_by_some_unknowns() {
     assert_eq!(sample.residuals(), [a * y, z(3) * x * x * y, x * x * x + a * w - w].map(|value| value.0));
 }
 
-/// What is divided, multiplied or passed to a helper is one node, the same one where it is repeated.
+/// What is divided, multiplied or passed to a helper is one node, the same one where it is
+/// repeated.
 #[test]
 fn fields_of_results_divide_in_helpers() {
     let sample = Sample::new(

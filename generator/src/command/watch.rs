@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::ProgressBar;
 
-use super::progress::spinner;
+use super::progress::{begin, spinner};
 use crate::search::monitor::{Monitor, Stage, is_set};
 
 /// Whether Ctrl-C was pressed since the last search began. The search is over then.
@@ -149,10 +149,15 @@ fn give_up(must_end: fn(bool) -> bool, message: &str) {
 
 impl Monitor for Watch {
     fn say(&self, message: &str) {
-        self.spinner.set_message(match self.interrupted_at() {
-            Some(_) => format!("ending (Ctrl-C again to give up): {message}"),
-            None => message.to_owned(),
-        });
+        begin(&self.spinner, self.shown(message), None);
+    }
+
+    fn begin(&self, message: &str, steps: usize) {
+        begin(&self.spinner, self.shown(message), Some(steps));
+    }
+
+    fn step(&self) {
+        self.spinner.inc(1);
     }
 
     fn is_over(&self, stage: Stage) -> bool {
@@ -173,6 +178,14 @@ impl Monitor for OfTrace<'_> {
         self.0.say(message);
     }
 
+    fn begin(&self, message: &str, steps: usize) {
+        self.0.begin(message, steps);
+    }
+
+    fn step(&self) {
+        self.0.step();
+    }
+
     fn is_over(&self, stage: Stage) -> bool {
         self.0.is_over_at(stage, TRACING)
     }
@@ -183,6 +196,13 @@ impl Monitor for OfTrace<'_> {
 }
 
 impl Watch {
+    fn shown(&self, message: &str) -> String {
+        match self.interrupted_at() {
+            Some(_) => format!("ending (Ctrl-C again to give up): {message}"),
+            None => message.to_owned(),
+        }
+    }
+
     /// Whether a stage is over if the search ends after a part of the budget.
     fn is_over_at(&self, stage: Stage, searching: f64) -> bool {
         let part = match stage {

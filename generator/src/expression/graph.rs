@@ -348,8 +348,8 @@ impl ExpressionGraph {
     }
 
     /// The values of all nodes for the given values of the inputs; `None` if a divisor is zero.
-    /// What depends on a solution counts as 0. Derived data may be missing at the end of the inputs: they are then derived, and `None` if a
-    /// matrix has lost rank.
+    /// What depends on a solution counts as 0. Derived data may be missing at the end of the
+    /// inputs: they are then derived, and `None` if a matrix has lost rank.
     pub fn evaluate<A: Arithmetic>(&self, arithmetic: A, inputs: &[A::Value]) -> Option<Vec<A::Value>> {
         self.try_evaluate(arithmetic, inputs).ok()
     }

@@ -269,8 +269,8 @@ mod tests {
         }
     }
 
-    /// What depends on data only is computed once: the product of both inputs and a quotient are the
-    /// coefficients, constants are not, and nothing that depends on the solution is.
+    /// What depends on data only is computed once: the product of both inputs and a quotient are
+    /// the coefficients, constants are not, and nothing that depends on the solution is.
     #[test]
     fn results_are_computed_in_two_steps() {
         let mut graph = ExpressionGraph::new(&[vec![12_345, 67_890], vec![54_321, 9_876]]);

@@ -62,7 +62,8 @@ pub fn candidates(
     let strategies: Vec<Numbered<'_>> =
         all.filter(|(at, _)| options.shard.holds(*at)).map(|(at, strategy)| Numbered { at, strategy }).collect();
     let (solutions, ways) = (count.solutions, strategies.len());
-    monitor.say(&format!("{solutions} solutions, at least {least} columns; growing shifts by {ways} strategies"));
+    let message = format!("{solutions} solutions, at least {least} columns; growing shifts by {ways} strategies");
+    monitor.begin(&message, ways);
     candidates_of(problem, count, &strategies, options, monitor)
 }
 
@@ -108,7 +109,12 @@ fn candidates_of(
 ) -> Result<Found, SearchError> {
     let is_over = || monitor.is_over(Stage::Searching);
     let context = StrategyContext { options, cache: &Cache::default(), monitor };
-    let reduced = map(strategies, |numbered| reduce_strategy(&numbered.strategy, &context), &is_over);
+    let reduce = |numbered: &Numbered<'_>| {
+        let reduced = reduce_strategy(&numbered.strategy, &context);
+        monitor.step();
+        reduced
+    };
+    let reduced = map(strategies, reduce, &is_over);
     let untried = reduced.iter().filter(|reduced| reduced.is_none()).count();
     let mut work: Vec<(&Numbered<'_>, &EliminationTemplate)> = Vec::new();
     for (numbered, reduced) in strategies.iter().zip(&reduced) {
@@ -116,10 +122,12 @@ fn candidates_of(
     }
     // If planning ends early, only large templates are left out.
     work.sort_by_key(|(_, template)| (template.rows(), template.basis.len()));
-    monitor.say(&format!("planning {} templates", work.len()));
+    monitor.begin(&format!("planning {} templates", work.len()), work.len());
     let plan = |&(numbered, template): &(&Numbered<'_>, &EliminationTemplate)| {
         // What began before is given up between its steps.
-        candidate(problem, numbered, template, count.different, &|| !is_set(monitor.interruption()))
+        let planned = candidate(problem, numbered, template, count.different, &|| !is_set(monitor.interruption()));
+        monitor.step();
+        planned
     };
     let planned = map(&work, plan, &|| monitor.is_over(Stage::Planning));
     let unplanned = planned.iter().filter(|planned| planned.is_none()).count();

@@ -22,6 +22,15 @@ pub trait Monitor: Sync {
     /// Hears what the search does now, in words.
     fn say(&self, message: &str);
 
+    /// Hears of work that consists of so many steps of about one length.
+    fn begin(&self, message: &str, steps: usize) {
+        let _ = steps;
+        self.say(message);
+    }
+
+    /// Hears that one of the steps is done. The search tells from many threads.
+    fn step(&self) {}
+
     /// Whether this stage must end now with what it has. The search asks between steps of its work,
     /// from many threads. Once the answer is true it stays true.
     fn is_over(&self, stage: Stage) -> bool;

@@ -128,8 +128,8 @@ pub fn results_of(plan: &Plan, data: &[f64], points: &[Vec<f64>]) -> Vec<Vec<f64
     points.iter().map(of_point).collect()
 }
 
-/// The coordinates that results are computed from: the unknowns, of vectors that are given up to scale their
-/// coordinates; then the last coordinate of each of these.
+/// The coordinates that results are computed from: the unknowns, of vectors that are given up to
+/// scale their coordinates; then the last coordinate of each of these.
 fn variables(plan: &Plan, point: &[f64]) -> Vec<f64> {
     let (mut x, mut last) = (point.to_vec(), Vec::new());
     for field in &plan.fields {
