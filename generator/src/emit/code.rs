@@ -114,7 +114,10 @@ pub(super) fn results(name: &Ident, [coefficients, coordinates]: [usize; 2], out
     quote! {
         /// The scalars of results, from their coefficients and the coordinates of a solution.
         #[allow(unused_variables)]
-        fn #name<S: ::eliminant::Scalar + emitted::Arithmetic>(coefficients: &[f64; #coefficients], x: &[S; #coordinates]) -> [S; #length] {
+        fn #name<S: ::eliminant::Scalar + emitted::Arithmetic>(
+            coefficients: &[f64; #coefficients],
+            x: &[S; #coordinates],
+        ) -> [S; #length] {
             let #one = S::ONE;
             #code
         }
