@@ -510,6 +510,37 @@ fn fields_of_results_divide_in_helpers() {
     assert!(elements.iter().all(|&id| graph.is_of_solution(id)) && !graph.is_of_solution(graph.input(0)));
 }
 
+/// What stands before the struct is computed for results as it is written, though equations expand
+/// it; a derivative of a product takes the expanded one.
+#[test]
+fn what_stands_before_results_is_not_expanded_for_them() {
+    let text = |field: &str| {
+        format!(
+            "fn product(a: f64, b: f64) -> (x, y) {{
+                let p = (x + a) * (y + b) * (x + y);
+                p == 1;
+                x - y == a;
+                Product {{ value: {field} }}
+            }}"
+        )
+    };
+    let products = |sample: &Sample| {
+        let elements: Vec<ExpressionId> = sample.problem.output.iter().flat_map(Output::elements).collect();
+        let (graph, needed) = (&sample.problem.graph, sample.problem.graph.needed(&elements));
+        let nodes = graph.nodes().iter().zip(&needed).filter(|(_, needed)| **needed);
+        let products = nodes.filter(|(node, _)| matches!(node, Expression::Multiply(..))).count();
+        (sample.result(elements[0]), products)
+    };
+    let sample = Sample::new(&text("p"));
+    let (x, y) = (sample.unknown("x"), sample.unknown("y"));
+    let (a, b) = (sample.input("a", 0), sample.input("b", 0));
+    assert_eq!(products(&sample), ((x + a) * (y + b) * (x + y), 2));
+    let sample = Sample::new(&text("gradient(p, [x])[0]"));
+    let (derivative, products) = products(&sample);
+    assert_eq!(derivative, (y + b) * (x + y) + (x + a) * (y + b));
+    assert!(products > 2, "{products}");
+}
+
 /// A result that does not depend on the solution after all is an expression in the data, and one
 /// that is written with a solution is no coefficient.
 #[test]

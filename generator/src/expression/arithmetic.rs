@@ -19,7 +19,7 @@ pub trait Arithmetic: Copy {
     fn mul(self, a: Self::Value, b: Self::Value) -> Self::Value;
     /// a / b; `None` for b = 0.
     fn div(self, a: Self::Value, b: Self::Value) -> Option<Self::Value>;
-    /// A square root; `None` where there is none, and NaN in `f64`.
+    /// A square root; `None` where there is none.
     fn root(self, a: Self::Value) -> Option<Self::Value> {
         self.derive(DerivationKind::SquareRoot, &[a], 0.0)?.pop()
     }
@@ -108,9 +108,6 @@ impl Arithmetic for Float64 {
     }
     fn div(self, a: f64, b: f64) -> Option<f64> {
         (b != 0.0).then(|| a / b)
-    }
-    fn root(self, a: f64) -> Option<f64> {
-        Some(a.sqrt())
     }
     fn pivot_size(self, a: f64) -> f64 {
         a.abs()

@@ -360,9 +360,12 @@ impl ExpressionGraph {
         let mut sums: Vec<Vec<A::Value>> = vec![Vec::new(); self.product_sums.len()];
         let mut inputs = inputs.to_vec();
         for (node, &is_of_solution) in self.nodes.iter().zip(&self.of_solution) {
+            if is_of_solution {
+                values.push(f.zero());
+                continue;
+            }
             let at = |id: &ExpressionId| values[id.index()];
             let value = match node {
-                _ if is_of_solution => f.zero(),
                 Expression::Constant(value) => f.constant(*value).ok_or(NoValue::Quotient)?,
                 Expression::Input(input) => {
                     if *input as usize == inputs.len() {
@@ -382,7 +385,7 @@ impl ExpressionGraph {
                     }
                     known[*coefficient as usize]
                 }
-                // Of a solution, like all that depends on them.
+                // They depend on a solution.
                 Expression::Unknown(_) | Expression::Root(_) => f.zero(),
             };
             values.push(value);

@@ -2,6 +2,7 @@
 
 use eliminant::emitted::{chart_entry, to_chart, vector_of};
 
+use super::interpreted_program::values;
 use crate::expression::arithmetic::Float64;
 use crate::plan::{Plan, interpret};
 use crate::problem::SolutionField;
@@ -118,12 +119,8 @@ pub fn results_of(plan: &Plan, data: &[f64], points: &[Vec<f64>]) -> Vec<Vec<f64
         return Vec::new();
     };
     let of_point = |point: &Vec<f64>| {
-        let inputs = [&coefficients[..], &variables(plan, point)].concat();
-        match output.of_solution.evaluate(Float64, &inputs) {
-            Some(values) => output.scalars.iter().map(|id| values[id.0 as usize]).collect(),
-            // A divisor is 0.
-            None => vec![f64::NAN; output.scalars.len()],
-        }
+        let values = values(&output.of_solution, &[&coefficients[..], &variables(plan, point)].concat());
+        output.scalars.iter().map(|id| values[id.0 as usize]).collect()
     };
     points.iter().map(of_point).collect()
 }
