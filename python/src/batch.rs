@@ -7,11 +7,11 @@ use pyo3::exceptions::{PyIndexError, PyMemoryError, PyValueError};
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
-use crate::catalogue::{Found, SOLVERS, Sizes, Solver, Values, product};
 use crate::errors::SolveError;
 use crate::progress::Tally;
-use crate::status;
 use crate::threads::interruptible;
+use eliminant_python_catalogue::status;
+use eliminant_python_catalogue::{Found, SOLVERS, Sizes, Solver, Values, product};
 
 /// Instances that a core takes at once. Solvers that compute several side by side need no more.
 const PIECE: usize = 256;

@@ -1,19 +1,11 @@
 //! Python module `eliminant._eliminant`: solvers on arrays, and the generator. The package
 //! `eliminant` makes it pleasant.
 
+use eliminant_python_catalogue::{self as catalogue, status};
 use pyo3::prelude::*;
 
 /// The exceptions of this package.
 mod errors;
-
-/// Arrays of any depth from flat values and back.
-mod flat;
-
-/// Errors of solves as numbers.
-mod status;
-
-/// All solvers of the catalogue behind function pointers on flat data.
-mod catalogue;
 
 /// Work on all cores that Ctrl-C can end.
 mod threads;

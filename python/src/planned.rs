@@ -15,11 +15,11 @@ use pyo3::prelude::*;
 use rayon::prelude::*;
 
 use crate::batch::{Lists, Solved, values};
-use crate::catalogue::{Found, Sizes, Values};
 use crate::errors::{ProblemError, SolveError};
 use crate::progress::Tally;
 use crate::stability::{Figures, RandomInstances, figures};
 use crate::threads::interruptible;
+use eliminant_python_catalogue::{Found, Sizes, Values};
 
 /// A problem, its template, and the plan of its solver.
 #[pyclass(frozen, module = "eliminant._eliminant")]

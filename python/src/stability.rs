@@ -16,8 +16,8 @@ use pyo3::prelude::*;
 use rayon::prelude::*;
 
 use crate::progress::Tally;
-use crate::status;
 use crate::threads::interruptible;
+use eliminant_python_catalogue::status;
 
 /// The figures of each instance, in the order of [`COUNTS`], those of [`ERRORS`], and the status.
 pub(crate) type Figures<'py> =

@@ -3,10 +3,10 @@
 use eliminant::SolveError;
 
 /// There was no error.
-pub(crate) const SOLVED: u16 = 0;
+pub const SOLVED: u16 = 0;
 
 /// The kinds of errors, as Python names them.
-pub(crate) const KINDS: [(&str, u16); 8] = [
+pub const KINDS: [(&str, u16); 8] = [
     ("SOLVED", SOLVED),
     ("NON_FINITE_INPUT", 1),
     ("DEGENERATE", 2),
@@ -21,7 +21,7 @@ pub(crate) const KINDS: [(&str, u16); 8] = [
 const OTHER: u16 = 7;
 
 /// The number of an error.
-pub(crate) fn of(error: &SolveError) -> u16 {
+pub fn of(error: &SolveError) -> u16 {
     match error {
         SolveError::NonFiniteInput => 1,
         SolveError::Degenerate { block } => 2 + 256 * (*block).min(255) as u16,
@@ -34,7 +34,7 @@ pub(crate) fn of(error: &SolveError) -> u16 {
 }
 
 /// The text of an error; empty where there is none.
-pub(crate) fn text(status: u16) -> String {
+pub fn text(status: u16) -> String {
     let error = match status % 256 {
         SOLVED => return String::new(),
         1 => SolveError::NonFiniteInput,

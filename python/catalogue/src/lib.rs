@@ -1,22 +1,30 @@
 //! All solvers of the catalogue behind function pointers on flat data.
+//!
+//! A crate apart from what speaks to Python: its code is compiled beside that of the solvers, of
+//! which it needs no more than their interface.
 
 use eliminant::{Solutions, SolveError};
 use eliminant_solvers as solvers;
 
 use crate::flat::{Flat, len};
-use crate::status;
+
+/// Arrays of any depth from flat values and back.
+mod flat;
+
+/// Errors of solves as numbers.
+pub mod status;
 
 /// A parameter of a solver, or a named array of a solution: name and shape.
-pub(crate) type Named = (&'static str, &'static [usize]);
+pub type Named = (&'static str, &'static [usize]);
 
 /// Data of one parameter for some instances: the scalars of an instance at a time, or those that
 /// all instances share.
 #[derive(Clone, Copy)]
-pub(crate) struct Values<'a> {
+pub struct Values<'a> {
     /// The scalars of the instances, one instance after another.
-    pub(crate) scalars: &'a [f64],
+    pub scalars: &'a [f64],
     /// The number of scalars from an instance to the next: 0 if all share them.
-    pub(crate) stride: usize,
+    pub stride: usize,
 }
 
 impl Values<'_> {
@@ -25,69 +33,69 @@ impl Values<'_> {
     }
 
     /// The scalars of an instance, if an array holds no more than those of its instances.
-    pub(crate) fn instance(&self, instance: usize) -> &[f64] {
+    pub fn instance(&self, instance: usize) -> &[f64] {
         let rest = &self.scalars[instance * self.stride..];
         if self.stride == 0 { rest } else { &rest[..self.stride] }
     }
 
     /// Those from an instance on.
-    pub(crate) fn from(self, instance: usize) -> Self {
+    pub fn from(self, instance: usize) -> Self {
         Self { scalars: &self.scalars[instance * self.stride..], ..self }
     }
 }
 
 /// Where the solutions of some instances are written, each list for one instance after another.
-pub(crate) struct Found<'a> {
+pub struct Found<'a> {
     /// The sizes of the lists.
-    pub(crate) sizes: Sizes,
+    pub sizes: Sizes,
     /// The unknowns of each solution, NaN where there are fewer than the problem can have.
-    pub(crate) unknowns: &'a mut [f64],
+    pub unknowns: &'a mut [f64],
     /// The results of each solution, as the unknowns.
-    pub(crate) results: &'a mut [f64],
+    pub results: &'a mut [f64],
     /// The number of solutions of each instance.
-    pub(crate) counts: &'a mut [i64],
+    pub counts: &'a mut [i64],
     /// The status of each instance.
-    pub(crate) status: &'a mut [u16],
+    pub status: &'a mut [u16],
 }
 
 /// One solver of the catalogue.
-pub(crate) struct Solver {
+pub struct Solver {
     /// Name of the problem.
-    pub(crate) name: &'static str,
+    pub name: &'static str,
     /// The data.
-    pub(crate) data: &'static [Named],
+    pub data: &'static [Named],
     /// The arrays of a solution, in the order of its unknowns.
-    pub(crate) fields: &'static [Named],
+    pub fields: &'static [Named],
     /// The arrays that the problem returns for a solution.
-    pub(crate) results: &'static [Named],
+    pub results: &'static [Named],
     /// Which data are means over measurements.
-    pub(crate) means: &'static [Mean],
+    pub means: &'static [Mean],
     /// The number of unknowns of a solution, of scalars of its results, and of solutions.
-    pub(crate) sizes: Sizes,
+    pub sizes: Sizes,
     /// The doc comment of the problem.
-    pub(crate) docs: &'static str,
+    pub docs: &'static str,
     /// The problem file and the template file.
-    pub(crate) files: [&'static str; 2],
+    pub files: [&'static str; 2],
     /// Roughly the floating-point operations of a solve.
-    pub(crate) operations: u64,
+    pub operations: u64,
     /// Solves a list of instances by `solve_batch`. The lists of `Found` have their lengths.
-    pub(crate) solve_batch: fn(&[Values<'_>], &mut Found<'_>),
+    pub solve_batch: fn(&[Values<'_>], &mut Found<'_>),
     /// Solves one instance by `solve`.
-    pub(crate) solve: fn(&[Values<'_>], &mut Found<'_>) -> Result<(), SolveError>,
+    pub solve: fn(&[Values<'_>], &mut Found<'_>) -> Result<(), SolveError>,
 }
 
 /// Data of a problem that are means over measurements.
-pub(crate) struct Mean {
+pub struct Mean {
     /// Its name: `mean_of_point`.
-    pub(crate) name: &'static str,
+    pub name: &'static str,
     /// A measurement.
-    pub(crate) data: &'static [Named],
+    pub data: &'static [Named],
     /// The shape of the mean.
-    pub(crate) shape: &'static [usize],
+    pub shape: &'static [usize],
     /// What a measurement gives.
-    pub(crate) docs: &'static str,
+    pub docs: &'static str,
     /// The mean over so many measurements, row by row.
-    pub(crate) compute: fn(&[Values<'_>], usize) -> Vec<f64>,
+    pub compute: fn(&[Values<'_>], usize) -> Vec<f64>,
 }
 
 /// The scalars of an array.
@@ -99,18 +107,18 @@ fn scalars<T: Flat>(array: &T) -> Vec<f64> {
 
 /// The sizes of what is returned for an instance.
 #[derive(Clone, Copy)]
-pub(crate) struct Sizes {
-    pub(crate) unknowns: usize,
+pub struct Sizes {
+    pub unknowns: usize,
     /// The scalars of the results that are wanted.
-    pub(crate) results: usize,
-    pub(crate) solutions: usize,
+    pub results: usize,
+    pub solutions: usize,
     /// A bit for each array of the results that is wanted.
-    pub(crate) wanted: u64,
+    pub wanted: u64,
 }
 
 impl Sizes {
     /// Of the arrays with these names, of a solver that returns them.
-    pub(crate) fn of_results(self, results: &[Named], names: &[String]) -> Self {
+    pub fn of_results(self, results: &[Named], names: &[String]) -> Self {
         let is_wanted = |name: &str| names.iter().any(|wanted| wanted == name);
         let wanted = (0..).zip(results).filter(|(_, (name, _))| is_wanted(name));
         let (wanted, results) =
@@ -119,7 +127,7 @@ impl Sizes {
     }
 
     /// Whether the array of this number is wanted.
-    pub(crate) fn is_wanted(self, array: u32) -> bool {
+    pub fn is_wanted(self, array: u32) -> bool {
         self.wanted >> array & 1 == 1
     }
 }
@@ -225,10 +233,10 @@ macro_rules! results {
 
 /// All solvers, in the order of their names.
 #[rustfmt::skip]
-pub(crate) static SOLVERS: &[Solver] = include!(concat!(env!("OUT_DIR"), "/table.rs"));
+pub static SOLVERS: &[Solver] = include!(concat!(env!("OUT_DIR"), "/table.rs"));
 
 /// The number of scalars of an array.
-pub(crate) const fn product(shape: &[usize]) -> usize {
+pub const fn product(shape: &[usize]) -> usize {
     let (mut product, mut at) = (1, 0);
     while at < shape.len() {
         product *= shape[at];
@@ -247,7 +255,7 @@ fn next<T: Flat>(values: &mut std::slice::Iter<'_, Values<'_>>, instance: usize)
 
 impl<'a> Found<'a> {
     /// The lists of `piece` instances each, in order; of fewer in the last.
-    pub(crate) fn pieces(self, piece: usize) -> Vec<Found<'a>> {
+    pub fn pieces(self, piece: usize) -> Vec<Found<'a>> {
         let (mut rest, mut pieces) = (self, Vec::new());
         while rest.counts.len() > piece {
             let (first, others) = rest.split(piece);
@@ -259,7 +267,7 @@ impl<'a> Found<'a> {
     }
 
     /// Whether there are no instances.
-    pub(crate) fn is_empty(&self) -> bool {
+    pub fn is_empty(&self) -> bool {
         self.counts.is_empty()
     }
 
@@ -281,7 +289,7 @@ impl<'a> Found<'a> {
     }
 
     /// Writes the solutions of an instance, whose results follow.
-    pub(crate) fn write(&mut self, at: usize, solutions: impl Iterator<Item = impl AsRef<[f64]>>) {
+    pub fn write(&mut self, at: usize, solutions: impl Iterator<Item = impl AsRef<[f64]>>) {
         let all = of_instance(self.unknowns, at, self.sizes.unknowns * self.sizes.solutions);
         let mut count = 0;
         for (place, solution) in all.chunks_mut(self.sizes.unknowns).zip(solutions) {
@@ -296,13 +304,13 @@ impl<'a> Found<'a> {
     }
 
     /// Notes why an instance has no solutions.
-    pub(crate) fn fail(&mut self, at: usize, error: &SolveError) {
+    pub fn fail(&mut self, at: usize, error: &SolveError) {
         self.write(at, std::iter::empty::<[f64; 0]>());
         self.status[at] = status::of(error);
     }
 
     /// The place of the results of a solution.
-    pub(crate) fn result(&mut self, at: usize, number: usize) -> &mut [f64] {
+    pub fn result(&mut self, at: usize, number: usize) -> &mut [f64] {
         let length = self.sizes.results;
         &mut of_instance(self.results, at, length * self.sizes.solutions)[number * length..][..length]
     }
