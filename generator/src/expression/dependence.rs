@@ -8,9 +8,12 @@ impl ExpressionGraph {
     pub fn needed(&self, used: &[ExpressionId]) -> Vec<bool> {
         let mut needed = vec![false; self.nodes().len()];
         used.iter().for_each(|id| needed[id.index()] = true);
-        for at in (0..needed.len()).rev() {
-            if needed[at] {
-                self.operands(self.nodes()[at]).for_each(|id| needed[id.index()] = true);
+        // All coefficients of a sum have the same operands, which come before the first of them.
+        let mut seen = vec![false; self.product_sums().len()];
+        for (at, &node) in self.nodes().iter().enumerate().rev() {
+            let mut is_seen = |sum: u32| std::mem::replace(&mut seen[sum as usize], true);
+            if needed[at] && !matches!(node, Expression::Coefficient { sum, .. } if is_seen(sum)) {
+                self.operands(node).for_each(|id| needed[id.index()] = true);
             }
         }
         needed

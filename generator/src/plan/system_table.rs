@@ -1,5 +1,8 @@
 //! Polynomials in the unknowns as tables over a chain of monomials.
 
+use std::cmp::Ordering;
+use std::collections::HashSet;
+
 use super::Term;
 use crate::algebra::Monomial;
 
@@ -27,7 +30,7 @@ impl SystemTable {
     /// The table of polynomials in this number of unknowns.
     pub fn of(polynomials: &[Vec<Term>], unknowns: usize) -> Self {
         let monomials = closed(polynomials, unknowns);
-        let find = |monomial: &[u8]| monomials.iter().position(|m| m == monomial).unwrap_or(0) as u16;
+        let find = |monomial: &[u8]| monomials.binary_search_by(|m| by_degree(m, monomial)).unwrap_or(0) as u16;
         let product = |m: &Vec<u8>| parent(m).map_or((0, 0), |(parent, unknown)| (find(&parent), unknown as u16));
         let ends = polynomials.iter().scan(0, |end, polynomial| {
             *end += polynomial.len() as u32;
@@ -76,18 +79,26 @@ impl SystemTable {
 fn closed(polynomials: &[Vec<Term>], unknowns: usize) -> Vec<Vec<u8>> {
     let mut monomials: Vec<Vec<u8>> = polynomials.iter().flatten().map(|term| term.exponents.clone()).collect();
     monomials.push(vec![0; unknowns]);
+    monomials.sort_unstable();
+    monomials.dedup();
+    let mut known: HashSet<Vec<u8>> = monomials.iter().cloned().collect();
     let mut at = 0;
     while at < monomials.len() {
         if let Some((parent, _)) = parent(&monomials[at])
-            && !monomials.contains(&parent)
+            && known.insert(parent.clone())
         {
             monomials.push(parent);
         }
         at += 1;
     }
-    monomials.sort_unstable_by_key(|m| (m.iter().map(|&e| u32::from(e)).sum::<u32>(), m.clone()));
-    monomials.dedup();
+    monomials.sort_unstable_by(|a, b| by_degree(a, b));
     monomials
+}
+
+/// The order of the chain. It compares in place: a key with the exponents would copy them.
+fn by_degree(a: &[u8], b: &[u8]) -> Ordering {
+    let degree = |monomial: &[u8]| monomial.iter().map(|&e| u32::from(e)).sum::<u32>();
+    degree(a).cmp(&degree(b)).then_with(|| a.cmp(b))
 }
 
 /// The monomial divided by its last unknown, and that unknown; `None` for 1.
