@@ -2,6 +2,7 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use eliminant_python_catalogue::{Found, SOLVERS, Sizes, Solver, Values, product, status};
 use numpy::{Element, PyArray1, PyArrayMethods, PyReadonlyArrayDyn, PyReadwriteArray1, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyIndexError, PyMemoryError, PyValueError};
 use pyo3::prelude::*;
@@ -10,8 +11,6 @@ use rayon::prelude::*;
 use crate::errors::SolveError;
 use crate::progress::Tally;
 use crate::threads::interruptible;
-use eliminant_python_catalogue::status;
-use eliminant_python_catalogue::{Found, SOLVERS, Sizes, Solver, Values, product};
 
 /// Instances that a core takes at once. Solvers that compute several side by side need no more.
 const PIECE: usize = 256;

@@ -10,6 +10,7 @@ use eliminant_generator::problem::{Problem, SolutionField};
 use eliminant_generator::search::measuring::interpreted::InterpretedSolver;
 use eliminant_generator::search::measuring::results::{results_of, scalars_of};
 use eliminant_generator::template::file::TemplateFile;
+use eliminant_python_catalogue::{Found, Sizes, Values};
 use numpy::PyReadonlyArrayDyn;
 use pyo3::prelude::*;
 use rayon::prelude::*;
@@ -19,7 +20,6 @@ use crate::errors::{ProblemError, SolveError};
 use crate::progress::Tally;
 use crate::stability::{Figures, RandomInstances, figures};
 use crate::threads::interruptible;
-use eliminant_python_catalogue::{Found, Sizes, Values};
 
 /// A problem, its template, and the plan of its solver.
 #[pyclass(frozen, module = "eliminant._eliminant")]

@@ -11,13 +11,13 @@ use eliminant_generator::problem::scene::{DrawnScene, Scene};
 use eliminant_generator::search::measuring::interpreted::InterpretedSolver;
 use eliminant_generator::search::measuring::results::has_known;
 use eliminant_generator::search::measuring::{random_instance, seed_of};
+use eliminant_python_catalogue::status;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
 use crate::progress::Tally;
 use crate::threads::interruptible;
-use eliminant_python_catalogue::status;
 
 /// The figures of each instance, in the order of [`COUNTS`], those of [`ERRORS`], and the status.
 pub(crate) type Figures<'py> =

@@ -13,7 +13,9 @@ impl ExpressionGraph {
         for (at, &node) in self.nodes().iter().enumerate().rev() {
             let mut is_seen = |sum: u32| std::mem::replace(&mut seen[sum as usize], true);
             if needed[at] && !matches!(node, Expression::Coefficient { sum, .. } if is_seen(sum)) {
-                let (scalars, sum) = self.read_by(node);
+                // Each part by itself: a search does this for each template, and compilers leave the
+                // chained iterators of `operands` as calls.
+                let (scalars, sum) = self.parts(node);
                 scalars.into_iter().flatten().for_each(|id| needed[id.index()] = true);
                 sum.into_iter().flat_map(ProductSum::operands).for_each(|id| needed[id.index()] = true);
             }
@@ -23,12 +25,12 @@ impl ExpressionGraph {
 
     /// What a node is computed from; for a coefficient all operands of its sum.
     pub fn operands(&self, node: Expression) -> impl Iterator<Item = ExpressionId> + '_ {
-        let (scalars, sum) = self.read_by(node);
+        let (scalars, sum) = self.parts(node);
         scalars.into_iter().flatten().chain(sum.into_iter().flat_map(ProductSum::operands))
     }
 
     /// The operands of a node, and the sum of which it is a coefficient.
-    fn read_by(&self, node: Expression) -> ([Option<ExpressionId>; 2], Option<&ProductSum<ExpressionId>>) {
+    fn parts(&self, node: Expression) -> ([Option<ExpressionId>; 2], Option<&ProductSum<ExpressionId>>) {
         match node {
             Expression::Constant(_) | Expression::Input(_) | Expression::Unknown(_) => ([None, None], None),
             Expression::Negate(a) | Expression::Root(a) => ([Some(a), None], None),

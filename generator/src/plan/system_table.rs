@@ -77,20 +77,15 @@ impl SystemTable {
 /// All monomials of the polynomials with the chain of products that leads from 1 to each. They are
 /// sorted by degree, then exponents; the first is 1.
 fn closed(polynomials: &[Vec<Term>], unknowns: usize) -> Vec<Vec<u8>> {
-    let mut monomials: Vec<Vec<u8>> = polynomials.iter().flatten().map(|term| term.exponents.clone()).collect();
-    monomials.push(vec![0; unknowns]);
-    monomials.sort_unstable();
-    monomials.dedup();
-    let mut known: HashSet<Vec<u8>> = monomials.iter().cloned().collect();
-    let mut at = 0;
-    while at < monomials.len() {
-        if let Some((parent, _)) = parent(&monomials[at])
-            && known.insert(parent.clone())
-        {
-            monomials.push(parent);
+    let mut known = HashSet::from([vec![0; unknowns]]);
+    for term in polynomials.iter().flatten() {
+        let mut next = Some(term.exponents.clone());
+        while let Some(monomial) = next.filter(|monomial| !known.contains(monomial)) {
+            next = parent(&monomial).map(|(parent, _)| parent);
+            known.insert(monomial);
         }
-        at += 1;
     }
+    let mut monomials: Vec<Vec<u8>> = known.into_iter().collect();
     monomials.sort_unstable_by(|a, b| by_degree(a, b));
     monomials
 }

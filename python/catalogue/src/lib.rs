@@ -108,9 +108,11 @@ fn scalars<T: Flat>(array: &T) -> Vec<f64> {
 /// The sizes of what is returned for an instance.
 #[derive(Clone, Copy)]
 pub struct Sizes {
+    /// The unknowns of a solution.
     pub unknowns: usize,
     /// The scalars of the results that are wanted.
     pub results: usize,
+    /// The solutions that an instance can have.
     pub solutions: usize,
     /// A bit for each array of the results that is wanted.
     pub wanted: u64,
@@ -127,7 +129,7 @@ impl Sizes {
     }
 
     /// Whether the array of this number is wanted.
-    pub fn is_wanted(self, array: u32) -> bool {
+    fn is_wanted(self, array: u32) -> bool {
         self.wanted >> array & 1 == 1
     }
 }
