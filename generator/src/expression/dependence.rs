@@ -13,8 +13,8 @@ impl ExpressionGraph {
         for (at, &node) in self.nodes().iter().enumerate().rev() {
             let mut is_seen = |sum: u32| std::mem::replace(&mut seen[sum as usize], true);
             if needed[at] && !matches!(node, Expression::Coefficient { sum, .. } if is_seen(sum)) {
-                // Each part by itself: a search does this for each template, and compilers leave the
-                // chained iterators of `operands` as calls.
+                // Each part by itself: a search does this for each template, and compilers leave
+                // the chained iterators of `operands` as calls.
                 let (scalars, sum) = self.parts(node);
                 scalars.into_iter().flatten().for_each(|id| needed[id.index()] = true);
                 sum.into_iter().flat_map(ProductSum::operands).for_each(|id| needed[id.index()] = true);
