@@ -4,8 +4,11 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::code;
+use super::listing::Listings;
+use super::program::static_program;
 use super::shapes::as_slice;
 use crate::expression::derivation::DerivationKind;
+use crate::plan::program_table::ProgramTable;
 use crate::plan::{LEAST_PIVOT_OF_PRESOLVE, Plan, PlannedDerivation};
 
 /// Who reads derived data.
@@ -101,7 +104,7 @@ fn function_name(plan: &Plan, reader: Reader) -> &'static str {
 }
 
 /// The functions that derive data, and the functions that compute what they are derived from.
-pub(super) fn functions(plan: &Plan) -> TokenStream {
+pub(super) fn functions(plan: &Plan, listings: &mut Listings) -> TokenStream {
     let inputs = Literal::usize_unsuffixed(plan.inputs());
     let is_read = |(_, planned): &(usize, &PlannedDerivation)| plan.output.is_some() || !planned.is_for_results;
     let operands = plan.derived.iter().enumerate().filter(is_read).map(|(number, planned)| {
@@ -146,12 +149,31 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
             }
         }
     });
-    quote!(#(#operands)* #(#derived)* #presolved)
+    let tables = derivations(plan, Reader::Template).map(|(number, planned)| {
+        let (table, _) = table(plan, planned);
+        let doc = " What data are derived from, for twice the precision.";
+        static_program(&name_of_table(number), doc, &table, listings)
+    });
+    let tables: TokenStream = tables.collect();
+    quote!(#(#operands)* #(#derived)* #presolved #tables)
 }
 
 /// The function that computes the operands of a derivation.
 fn name(number: usize) -> Ident {
     format_ident!("operands_of_derived_{number}")
+}
+
+/// The name of the table of its operations, for twice the precision.
+fn name_of_table(number: usize) -> Ident {
+    format_ident!("OPERANDS_OF_DERIVED_{number}")
+}
+
+/// The table from the data to the operands of a derivation, and the number of its values.
+fn table(plan: &Plan, planned: &PlannedDerivation) -> (ProgramTable, Literal) {
+    let PlannedDerivation { derivation, program, .. } = planned;
+    let table = ProgramTable::of_program(program, plan.inputs(), &derivation.operands);
+    let values = Literal::usize_unsuffixed(table.values);
+    (table, values)
 }
 
 /// Matrices of so many entries are taken by code that is compiled for their size.
@@ -160,13 +182,24 @@ const MOST_OF_SMALL: usize = 160;
 /// The derivations for this reader.
 fn steps(plan: &Plan, reader: Reader) -> TokenStream {
     let presolve = reader == Reader::Template;
-    // Those of presolve are added to data that are borrowed, in any precision.
-    let (one, data) = if presolve { (quote!(R::ONE), quote!(data)) } else { (quote!(1.0), quote!(&data)) };
     let least = Literal::f64_unsuffixed(if presolve { LEAST_PIVOT_OF_PRESOLVE } else { 0.0 });
     let steps = derivations(plan, reader).map(|(number, planned)| {
         let (PlannedDerivation { derivation, .. }, [first, end]) = (planned, bounds(planned));
         let operands = name(number);
-        let (operands, results) = (quote!(self::#operands(#one, #data)), quote!(&mut data[#first..#end]));
+        let operands = match presolve {
+            true => {
+                let (table, (_, values)) = (name_of_table(number), table(plan, planned));
+                quote! {
+                    R::by_precision(
+                        &*data,
+                        |data| self::#operands(R::ONE, data),
+                        |data| #table.evaluate_on::<R, #values, _>(data),
+                    )
+                }
+            }
+            false => quote!(self::#operands(1.0, &data)),
+        };
+        let results = quote!(&mut data[#first..#end]);
         let is_small = derivation.kind.operands() <= MOST_OF_SMALL;
         let step = match derivation.kind {
             DerivationKind::SquareRoot => quote!(emitted::square_root(&#operands, #results)),

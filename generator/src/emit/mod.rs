@@ -75,7 +75,7 @@ fn module(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> Toke
     let name = format_ident!("{}", plan.name);
     let header = provenance.lines.iter().map(|line| doc_line(line)).map(|line| quote!(#![doc = #line]));
     let (solution, functions) = (api::solution(plan), api::functions(plan));
-    let (batch, derived) = (batch::batch(plan), derived::functions(plan));
+    let (batch, derived) = (batch::batch(plan), derived::functions(plan, listings));
     let means = means::functions(plan);
     let (output, inequalities) = (output::output(plan, listings), output::inequalities(plan));
     let instance = instance::instance(plan, provenance, listings);

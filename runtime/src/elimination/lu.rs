@@ -1,5 +1,7 @@
 //! Elimination of one diagonal block of an elimination template.
 
+use arrayvec::ArrayVec;
+
 use crate::number::{Arithmetic, Real};
 use crate::size::Vector;
 
@@ -71,7 +73,7 @@ pub fn solve_block_trailing<R: Real, V: Vector<R>, const N: usize>(
     needed: usize,
 ) -> Result<(), BlockError> {
     let (row_scale, smallest) = (&mut [0.0; N], &mut [0.0; N]);
-    solve_rows(BlockMemory { matrix: matrix.as_flattened_mut(), row_scale, smallest }, right, needed)
+    solve_rows(BlockMemory { matrix: matrix.as_flattened_mut(), row_scale, smallest }, right, needed, back_substitute)
 }
 
 /// Like [`solve_block_trailing`], with a size that is known at run time. The code is compiled once
@@ -85,7 +87,14 @@ pub fn solve_large_block<R: Real, V: Vector<R>>(
     right: &mut [V],
     needed: usize,
 ) -> Result<(), BlockError> {
-    solve_rows(memory, right, needed)
+    solve_rows(memory, right, needed, back_substitute)
+}
+
+/// Like [`solve_large_block`], on rows of a length that is known at run time, too. The code is
+/// compiled once for all sizes.
+#[inline(never)]
+fn solve_slices<R: Real>(memory: BlockMemory<'_, R>, right: &mut [&mut [R]], needed: usize) -> Result<(), BlockError> {
+    solve_rows(memory, right, needed, back_substitute_in_place)
 }
 
 /// Numbers with which a block of a template is eliminated.
@@ -108,15 +117,26 @@ impl<R: Real> Eliminated for R {
         right: &mut [V],
         needed: usize,
     ) -> Result<(), BlockError> {
-        solve_block_trailing(matrix, right, needed)
+        R::by_precision(
+            (matrix, right),
+            |(matrix, right)| solve_block_trailing(matrix, right, needed),
+            |(matrix, right)| {
+                let (row_scale, smallest) = (&mut [0.0; N], &mut [0.0; N]);
+                let memory = BlockMemory { matrix: matrix.as_flattened_mut(), row_scale, smallest };
+                let mut right: ArrayVec<&mut [R], N> = right.iter_mut().map(|row| row.as_mut()).take(N).collect();
+                solve_slices(memory, &mut right, needed)
+            },
+        )
     }
 }
 
+/// `back_substitute` computes the rows from some row on: [`back_substitute`], for example.
 #[inline(always)]
-fn solve_rows<R: Real, V: Vector<R>>(
+fn solve_rows<R: Real, V: AsRef<[R]> + AsMut<[R]>>(
     memory: BlockMemory<'_, R>,
     right: &mut [V],
     needed: usize,
+    back_substitute: impl FnOnce(&[R], &mut [V], usize),
 ) -> Result<(), BlockError> {
     let BlockMemory { matrix, row_scale, smallest } = memory;
     let n = row_scale.len();
@@ -189,7 +209,7 @@ const WHOLE_ROWS: usize = 12;
 
 /// Eliminates forward in matrix and right together; rows are swapped in memory.
 #[inline(always)]
-fn eliminate<R: Real, V: Vector<R>>(
+fn eliminate<R: Real, V: AsRef<[R]> + AsMut<[R]>>(
     matrix: &mut [R],
     row_scale: &mut [f64],
     smallest: &[f64],
@@ -214,7 +234,8 @@ fn eliminate<R: Real, V: Vector<R>>(
         if pivot != k {
             let (above, below) = matrix.split_at_mut(pivot * n);
             above[k * n..(k + 1) * n].swap_with_slice(&mut below[..n]);
-            right.swap(k, pivot);
+            let (above, below) = right.split_at_mut(pivot);
+            above[k].as_mut().swap_with_slice(below[0].as_mut());
             row_scale.swap(k, pivot);
         }
         let (above, below) = matrix.split_at_mut((k + 1) * n);
@@ -255,5 +276,25 @@ fn back_substitute<R: Real, V: Vector<R>>(matrix: &[R], right: &mut [V], first: 
         let inverse = matrix[k * n + k].reciprocal();
         row.as_mut().iter_mut().for_each(|entry| *entry *= inverse);
         above[k] = row;
+    }
+}
+
+/// Like [`back_substitute`], on rows that have an owner elsewhere. In a copy entries can stay in
+/// registers, which does not matter at twice the precision.
+#[inline(always)]
+fn back_substitute_in_place<R: Real>(matrix: &[R], right: &mut [&mut [R]], first: usize) {
+    let n = right.len();
+    for k in (first..n).rev() {
+        let (above, below) = right.split_at_mut(k + 1);
+        let row = &mut *above[k];
+        for (factor, solved) in matrix[k * n + k + 1..(k + 1) * n].iter().zip(below.iter()) {
+            if *factor != R::ZERO {
+                for (entry, known) in row.iter_mut().zip(solved.iter()) {
+                    *entry -= *factor * *known;
+                }
+            }
+        }
+        let inverse = matrix[k * n + k].reciprocal();
+        row.iter_mut().for_each(|entry| *entry *= inverse);
     }
 }

@@ -194,6 +194,10 @@ impl Real for DoubleDouble {
         compute()
     }
     #[inline]
+    fn by_precision<A, T>(argument: A, _: impl FnOnce(A) -> T, precise: impl FnOnce(A) -> T) -> T {
+        precise(argument)
+    }
+    #[inline]
     fn with_sign_of(self, other: Self) -> Self {
         if self.high.is_sign_negative() == other.high.is_sign_negative() { self } else { -self }
     }

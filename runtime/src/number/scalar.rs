@@ -67,11 +67,11 @@ impl<S: Scalar> Arithmetic for S {
         S::from_f64(x)
     }
 
-    /// An operation of `f64` is one instruction, and values stay in registers from one part to the
-    /// next. One at twice the precision is dozens.
+    /// Together: values stay in registers from one part to the next. At twice the precision, where
+    /// an operation is dozens of instructions, long code is a table: [`Real::by_precision`].
     #[inline(always)]
     fn apart(self, compute: impl FnOnce()) {
-        if size_of::<S>() > size_of::<f64>() { outlined(compute) } else { compute() }
+        compute();
     }
 
     /// It is a call, because a determinant has many products, and few lengths.
@@ -100,6 +100,9 @@ pub trait Real: Scalar + Over<Self> {
     const EPSILON: f64;
     /// Returns the `known` numbers if this is their precision; otherwise computes them anew.
     fn of<Z: Size>(known: &Z::Rows<f64>, compute: impl FnOnce() -> Z::Rows<Self>) -> Z::Rows<Self>;
+    /// Computes one way for `f64` and another way at twice the precision, where what is rarely run
+    /// should take little time to compile. Only the way that is taken is compiled.
+    fn by_precision<A, T>(argument: A, usual: impl FnOnce(A) -> T, precise: impl FnOnce(A) -> T) -> T;
     /// |self| with the sign of `other`.
     fn with_sign_of(self, other: Self) -> Self;
 }
@@ -109,6 +112,10 @@ impl Real for f64 {
     #[inline]
     fn of<Z: Size>(known: &Z::Rows<f64>, _: impl FnOnce() -> Z::Rows<f64>) -> Z::Rows<f64> {
         known.clone()
+    }
+    #[inline(always)]
+    fn by_precision<A, T>(argument: A, usual: impl FnOnce(A) -> T, _: impl FnOnce(A) -> T) -> T {
+        usual(argument)
     }
     #[inline]
     fn with_sign_of(self, other: f64) -> f64 {
@@ -269,11 +276,6 @@ impl Scalar for Complex<f64> {
     fn is_finite(self) -> bool {
         self.re.is_finite() && self.im.is_finite()
     }
-}
-
-#[inline(never)]
-fn outlined(compute: impl FnOnce()) {
-    compute();
 }
 
 #[cfg(test)]
