@@ -150,7 +150,8 @@ pub(super) fn functions(plan: &Plan, listings: &mut Listings) -> TokenStream {
         }
     });
     let tables = derivations(plan, Reader::Template).map(|(number, planned)| {
-        let (table, _) = table(plan, planned);
+        let PlannedDerivation { derivation, program, .. } = planned;
+        let table = ProgramTable::of_program(program, plan.inputs(), &derivation.operands);
         let doc = " What data are derived from, for twice the precision.";
         static_program(&name_of_table(number), doc, &table, listings)
     });
@@ -168,14 +169,6 @@ fn name_of_table(number: usize) -> Ident {
     format_ident!("OPERANDS_OF_DERIVED_{number}")
 }
 
-/// The table from the data to the operands of a derivation, and the number of its values.
-fn table(plan: &Plan, planned: &PlannedDerivation) -> (ProgramTable, Literal) {
-    let PlannedDerivation { derivation, program, .. } = planned;
-    let table = ProgramTable::of_program(program, plan.inputs(), &derivation.operands);
-    let values = Literal::usize_unsuffixed(table.values);
-    (table, values)
-}
-
 /// Matrices of so many entries are taken by code that is compiled for their size.
 const MOST_OF_SMALL: usize = 160;
 
@@ -188,7 +181,8 @@ fn steps(plan: &Plan, reader: Reader) -> TokenStream {
         let operands = name(number);
         let operands = match presolve {
             true => {
-                let (table, (_, values)) = (name_of_table(number), table(plan, planned));
+                let values = ProgramTable::values_of(&planned.program, plan.inputs());
+                let (table, values) = (name_of_table(number), Literal::usize_unsuffixed(values));
                 quote! {
                     R::by_precision(
                         &*data,

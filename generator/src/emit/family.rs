@@ -50,7 +50,8 @@ pub(super) fn methods(plan: &Plan) -> TokenStream {
     if plan.inputs() == 0 {
         return quote!();
     }
-    let counts = [ProgramTable::of(plan).values, plan.coefficients.len()].map(Literal::usize_unsuffixed);
+    let counts =
+        [ProgramTable::values_of(&plan.program, plan.inputs()), plan.coefficients.len()].map(Literal::usize_unsuffixed);
     let ([values, coefficients], unknowns) = (counts, Literal::usize_unsuffixed(plan.unknowns.len()));
     let workspace = storage::has_coefficients_on_heap(plan).then(|| quote!(let workspace = self.workspace;));
     let attempts = storage::allowed_attempts(plan);

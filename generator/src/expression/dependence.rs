@@ -1,24 +1,46 @@
 //! What the values of a graph depend on.
 
+use super::derivation::DerivationKind;
 use super::graph::{Expression, ExpressionGraph, ExpressionId};
 use super::product_sum::ProductSum;
 
 impl ExpressionGraph {
     /// Which nodes these depend on, themselves included. Derived data depend on nothing here.
     pub fn needed(&self, used: &[ExpressionId]) -> Vec<bool> {
+        self.needed_by_way_of_derivations(used, |_| false)
+    }
+
+    /// Which nodes these depend on, also by way of data that are derived in ways that count.
+    pub(crate) fn needed_by_way_of_derivations(
+        &self,
+        used: &[ExpressionId],
+        counts: impl Fn(DerivationKind) -> bool,
+    ) -> Vec<bool> {
         let mut needed = vec![false; self.nodes().len()];
         used.iter().for_each(|id| needed[id.index()] = true);
+        // Operands stand before their results: one pass meets all.
+        let mut derivations = self.derivations().iter().filter(|derivation| counts(derivation.kind)).rev().peekable();
         // All coefficients of a sum have the same operands, which come before the first of them.
         let mut seen = vec![false; self.product_sums().len()];
         for (at, &node) in self.nodes().iter().enumerate().rev() {
-            let mut is_seen = |sum: u32| std::mem::replace(&mut seen[sum as usize], true);
-            if needed[at] && !matches!(node, Expression::Coefficient { sum, .. } if is_seen(sum)) {
-                // Each part by itself: a search does this for each template, and compilers leave
-                // the chained iterators of `operands` as calls.
-                let (scalars, sum) = self.parts(node);
-                scalars.into_iter().flatten().for_each(|id| needed[id.index()] = true);
-                sum.into_iter().flat_map(ProductSum::operands).for_each(|id| needed[id.index()] = true);
+            if !needed[at] {
+                continue;
             }
+            let mut mark = |id: ExpressionId| needed[id.index()] = true;
+            match node {
+                Expression::Coefficient { sum, .. } if std::mem::replace(&mut seen[sum as usize], true) => continue,
+                Expression::Input(input) => {
+                    while derivations.next_if(|derivation| derivation.first_input > input as usize).is_some() {}
+                    let derivation = derivations.next_if(|derivation| derivation.inputs().contains(&(input as usize)));
+                    derivation.into_iter().flat_map(|derivation| &derivation.operands).for_each(|&id| mark(id));
+                }
+                _ => {}
+            }
+            // Each part by itself: a search does this for each template, and compilers leave the
+            // chained iterators of `operands` as calls.
+            let (scalars, sum) = self.parts(node);
+            scalars.into_iter().flatten().for_each(&mut mark);
+            sum.into_iter().flat_map(ProductSum::operands).for_each(mark);
         }
         needed
     }

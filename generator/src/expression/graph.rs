@@ -325,23 +325,6 @@ impl ExpressionGraph {
         self.fingerprints[id.index()]
     }
 
-    /// Which nodes these depend on, also by way of data that are derived in ways that count.
-    pub(crate) fn needed_by_way_of_derivations(
-        &self,
-        used: &[ExpressionId],
-        counts: impl Fn(DerivationKind) -> bool,
-    ) -> Vec<bool> {
-        let mut used = used.to_vec();
-        // Operands stand before their results: one pass meets all.
-        for derivation in self.derivations.iter().rev().filter(|derivation| counts(derivation.kind)) {
-            let needed = self.needed(&used);
-            if derivation.inputs().any(|input| needed[self.inputs[input].index()]) {
-                used.extend(&derivation.operands);
-            }
-        }
-        self.needed(&used)
-    }
-
     /// Whether an input is among the nodes that are needed.
     pub(crate) fn is_input_among(&self, needed: &[bool], input: usize) -> bool {
         needed[self.inputs[input].index()]

@@ -36,7 +36,7 @@ impl Plan {
         let e = &self.elimination;
         let block = e.blocks.iter().map(|block| block.size).max().unwrap_or(0);
         let table = match self.program.form {
-            ProgramForm::Table => ProgramTable::of(self).values,
+            ProgramForm::Table => ProgramTable::values_of(&self.program, self.inputs()),
             ProgramForm::Statements => 0,
         };
         let square = e.basis * e.basis;

@@ -72,6 +72,12 @@ impl ProgramTable {
         Self::of_program(&plan.program, plan.inputs(), &plan.coefficients)
     }
 
+    /// The number of values of a table.
+    pub fn values_of(program: &Program, inputs: usize) -> usize {
+        let is_value = |operation: &&Operation| !matches!(operation, Operation::Input(_));
+        inputs + program.operations.iter().filter(is_value).count()
+    }
+
     /// The table of a program from so many data to these values. All data have a position, also
     /// those that no step reads.
     pub fn of_program(program: &Program, inputs: usize, values: &[ValueId]) -> Self {
@@ -80,7 +86,6 @@ impl ProgramTable {
             _ => None,
         };
         let constants: Vec<Rational> = program.operations.iter().filter_map(as_constant).collect();
-        let steps = program.operations.iter().filter(|operation| operation.is_step()).count();
         let positions = positions(program, constants.len(), inputs);
         let position = |id: ValueId| positions[id.0 as usize];
         let scalar = |operation: &&Operation| !matches!(operation, Operation::Coefficient { .. });
@@ -90,7 +95,7 @@ impl ProgramTable {
             Some((position(a), position(operands.next().unwrap_or(a))))
         });
         let mut table = Self {
-            values: constants.len() + inputs + steps,
+            values: Self::values_of(program, inputs),
             constants,
             runs: runs(program),
             operands: operands.collect(),

@@ -13,7 +13,8 @@
 //! of the last. The chart in which it is solved for mixes its elements, so that the statements are
 //! read without it here, as homogeneous ones in all elements.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::cmp::Ordering;
+use std::collections::BTreeSet;
 
 use super::{DataAttribute, DataParameter, Scaling};
 use crate::algebra::{Echelon, PRIMES, PrimeField};
@@ -42,8 +43,8 @@ pub(super) struct Stated<'a> {
     pub vectors: usize,
 }
 
-/// A linear form in the weights: the column of each and its factor.
-type Form = BTreeMap<usize, i64>;
+/// A linear form in the weights: columns, in order, with their factors. None is 0.
+type Form = Vec<(usize, i64)>;
 
 /// Forms that must vanish, found while the weights of values are computed.
 struct Weights<'a> {
@@ -51,19 +52,36 @@ struct Weights<'a> {
     of_nodes: Vec<Form>,
     /// Of the coefficients of sums of products, once one of them is asked for.
     of_sums: Vec<Vec<Form>>,
-    conditions: BTreeSet<Vec<(usize, i64)>>,
+    conditions: BTreeSet<Form>,
     /// Whether some weight is too large.
     is_too_large: bool,
 }
 
 /// a + factor b
-fn sum(a: &Form, b: &Form, factor: i64) -> Form {
-    let mut sum = a.clone();
-    for (&column, &value) in b {
-        let entry = sum.entry(column).or_default();
-        *entry = entry.saturating_add(factor.saturating_mul(value));
+fn sum(a: &[(usize, i64)], b: &[(usize, i64)], factor: i64) -> Form {
+    let mut sum = Form::with_capacity(a.len() + b.len());
+    let (mut a, mut b) = (a, b);
+    while let ([(of_a, x), rest_of_a @ ..], [(of_b, y), rest_of_b @ ..]) = (a, b) {
+        match of_a.cmp(of_b) {
+            Ordering::Less => {
+                sum.push((*of_a, *x));
+                a = rest_of_a;
+            }
+            Ordering::Greater => {
+                sum.push((*of_b, factor.saturating_mul(*y)));
+                b = rest_of_b;
+            }
+            Ordering::Equal => {
+                let both = x.saturating_add(factor.saturating_mul(*y));
+                if both != 0 {
+                    sum.push((*of_a, both));
+                }
+                (a, b) = (rest_of_a, rest_of_b);
+            }
+        }
     }
-    sum.retain(|_, value| *value != 0);
+    sum.extend_from_slice(a);
+    sum.extend(b.iter().map(|&(column, y)| (column, factor.saturating_mul(y))));
     sum
 }
 
@@ -80,7 +98,7 @@ impl<'a> Weights<'a> {
         };
         for (node, needed) in graph.nodes().iter().zip(needed) {
             let weight = if needed { weights.of_node(node) } else { Form::new() };
-            weights.is_too_large |= weight.values().any(|value| value.abs() > LARGEST_OF_VALUES);
+            weights.is_too_large |= weight.iter().any(|(_, value)| value.abs() > LARGEST_OF_VALUES);
             weights.of_nodes.push(weight);
         }
         weights
@@ -95,7 +113,7 @@ impl<'a> Weights<'a> {
             Expression::Constant(_) => Form::new(),
             // Equations do not depend on their solutions.
             Expression::Unknown(_) | Expression::Root(_) => Form::new(),
-            Expression::Input(input) => Form::from([(input as usize, 1)]),
+            Expression::Input(input) => vec![(input as usize, 1)],
             Expression::Negate(a) => self.of_value(a).clone(),
             Expression::Multiply(a, b) => sum(self.of_value(a), self.of_value(b), 1),
             Expression::Divide(a, b) => sum(self.of_value(a), self.of_value(b), -1),
@@ -122,6 +140,7 @@ impl<'a> Weights<'a> {
         for (place, a, b) in pairs.filter(|&(_, a, b)| !graph.is_zero(a) && !graph.is_zero(b)) {
             let term = sum(self.of_value(a), self.of_value(b), 1);
             match &weights[place] {
+                Some(first) if *first == term => {}
                 Some(first) => self.require(&sum(first, &term, -1)),
                 None => weights[place] = Some(term),
             }
@@ -138,11 +157,11 @@ impl<'a> Weights<'a> {
         first
     }
 
-    fn require(&mut self, form: &Form) {
+    fn require(&mut self, form: &[(usize, i64)]) {
         // The first factor positive: a form and its negative are one condition.
-        let sign = form.values().next().map_or(1, |value| value.signum());
+        let sign = form.first().map_or(1, |(_, value)| value.signum());
         if !form.is_empty() {
-            self.conditions.insert(form.iter().map(|(&column, &value)| (column, sign * value)).collect());
+            self.conditions.insert(form.iter().map(|&(column, value)| (column, sign * value)).collect());
         }
     }
 }
@@ -163,7 +182,7 @@ fn all_scalings(stated: &Stated<'_>) -> Vec<Scaling> {
     for polynomial in polynomials() {
         let terms = polynomial.terms().iter().map(|&(monomial, coefficient)| {
             let exponents = (0..stated.unknowns + stated.vectors).map(|unknown| i64::from(monomial.exponent(unknown)));
-            let of_monomial = (inputs..).zip(exponents).filter(|&(_, exponent)| exponent != 0).collect();
+            let of_monomial: Form = (inputs..).zip(exponents).filter(|&(_, exponent)| exponent != 0).collect();
             (coefficient, sum(weights.of_value(coefficient), &of_monomial, 1))
         });
         let terms: Vec<_> = terms.collect();
@@ -173,7 +192,7 @@ fn all_scalings(stated: &Stated<'_>) -> Vec<Scaling> {
     fix_unread(stated, &mut weights);
     keep_orthonormal(stated.graph, &mut weights);
     let last = inputs + stated.unknowns..inputs + stated.unknowns + stated.vectors;
-    last.for_each(|column| weights.require(&Form::from([(column, 1)])));
+    last.for_each(|column| weights.require(&[(column, 1)]));
     if weights.is_too_large {
         return Vec::new();
     }
@@ -187,20 +206,20 @@ fn keep_on_variety(parameter: &DataParameter, weights: &mut Weights<'_>) {
     match parameter.attribute {
         DataAttribute::Generic => {}
         DataAttribute::Rotation | DataAttribute::Unit | DataAttribute::Integer => {
-            all.for_each(|input| weights.require(&Form::from([(input, 1)])));
+            all.for_each(|input| weights.require(&[(input, 1)]));
         }
         // Directions and moments have a factor each, which all lines share.
         DataAttribute::Plucker => {
             let first = all.start;
             for input in all.skip(1).filter(|input| input - first != 3) {
                 let of_its_kind = first + (input - first) / 3 % 2 * 3;
-                weights.require(&Form::from([(of_its_kind, 1), (input, -1)]));
+                weights.require(&[(of_its_kind, 1), (input, -1)]);
             }
         }
         DataAttribute::Symmetric => {
             for (row, column) in (0..columns).flat_map(|row| (0..row).map(move |column| (row, column))) {
                 let [entry, mirrored] = [(row, column), (column, row)].map(|(i, j)| all.start + i * columns + j);
-                weights.require(&Form::from([(entry, 1), (mirrored, -1)]));
+                weights.require(&sum(&[(entry, 1)], &[(mirrored, 1)], -1));
             }
         }
         // Factors of rows and columns keep the rank of a matrix.
@@ -211,7 +230,7 @@ fn keep_on_variety(parameter: &DataParameter, weights: &mut Weights<'_>) {
                 let (row, column) = ((input - matrix) / columns, (input - matrix) % columns);
                 let corners = [(matrix, 1), (matrix + column, -1), (matrix + row * columns, -1), (input, 1)];
                 let mut form = Form::new();
-                corners.iter().for_each(|&(at, factor)| form = sum(&form, &Form::from([(at, 1)]), factor));
+                corners.iter().for_each(|&(at, factor)| form = sum(&form, &[(at, 1)], factor));
                 weights.require(&form);
             }
         }
@@ -224,7 +243,7 @@ fn keep_orthonormal(graph: &ExpressionGraph, weights: &mut Weights<'_>) {
         let DerivationKind::NullSpace { columns, .. } = derivation.kind else { continue };
         let first = derivation.inputs().start;
         for input in derivation.inputs().skip(columns) {
-            weights.require(&Form::from([(first + (input - first) % columns, 1), (input, -1)]));
+            weights.require(&[(first + (input - first) % columns, 1), (input, -1)]);
         }
     }
 }
@@ -235,20 +254,20 @@ fn fix_unread(stated: &Stated<'_>, weights: &mut Weights<'_>) {
     // The weight of an input that is read is that of its own column, and of no other input.
     let nodes = stated.graph.nodes().iter().zip(&weights.of_nodes);
     let reads = nodes.filter(|(node, _)| matches!(node, Expression::Input(_)));
-    let reads: BTreeSet<usize> = reads.flat_map(|(_, weight)| weight.keys().copied()).collect();
+    let reads: BTreeSet<usize> = reads.flat_map(|(_, weight)| weight.iter().map(|&(column, _)| column)).collect();
     let follows =
         |parameter: &&DataParameter| matches!(parameter.attribute, DataAttribute::Symmetric | DataAttribute::Plucker);
     let parameters = stated.data.iter().filter(|parameter| !follows(parameter));
     let given = parameters.flat_map(|parameter| parameter.first_input..parameter.first_input + parameter.len());
     let derived = stated.data.iter().map(DataParameter::len).sum()..stated.graph.input_count();
     for input in given.chain(derived).filter(|input| !reads.contains(input)) {
-        weights.require(&Form::from([(input, 1)]));
+        weights.require(&[(input, 1)]);
     }
 }
 
 /// Integer vectors that span the weights that satisfy all conditions. Unknowns come last, so that
 /// the weights of data follow from theirs.
-fn null_space(conditions: &BTreeSet<Vec<(usize, i64)>>, inputs: usize, stated: &Stated<'_>) -> Vec<Scaling> {
+fn null_space(conditions: &BTreeSet<Form>, inputs: usize, stated: &Stated<'_>) -> Vec<Scaling> {
     let field = PrimeField::new(PRIMES[0]);
     let columns = inputs + stated.unknowns + stated.vectors;
     let mut echelon = Echelon::new(field, columns);
@@ -263,7 +282,7 @@ fn null_space(conditions: &BTreeSet<Vec<(usize, i64)>>, inputs: usize, stated: &
         .into_iter()
         .map(|column| {
             let weights = integer_solution(&echelon, column)?;
-            let satisfied = |condition: &Vec<(usize, i64)>| {
+            let satisfied = |condition: &Form| {
                 condition.iter().map(|&(at, value)| value * i64::from(weights[at])).sum::<i64>() == 0
             };
             let unknowns = weights[inputs..inputs + stated.unknowns].to_vec();
