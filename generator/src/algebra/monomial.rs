@@ -91,10 +91,12 @@ impl Monomial {
     /// Sum of the exponents.
     #[inline]
     pub fn degree(&self) -> i32 {
-        // A plain loop: an unoptimised build script calls this more often than anything else.
-        let mut degree = 0;
-        for exponent in self.exponents {
-            degree += i32::from(exponent);
+        // Here and below: an unoptimised build script calls this more often than anything else, and
+        // calls a function for each step of an iterator.
+        let (mut degree, mut i) = (0, 0);
+        while i < MAX_UNKNOWNS {
+            degree += self.exponents[i] as i32;
+            i += 1;
         }
         degree
     }
@@ -106,9 +108,10 @@ impl Monomial {
 
     /// The product, or `None` if an exponent leaves the range of `i8`.
     pub fn checked_mul(&self, other: &Self) -> Option<Self> {
-        let mut exponents = [0; MAX_UNKNOWNS];
-        for i in 0..MAX_UNKNOWNS {
+        let (mut exponents, mut i) = ([0; MAX_UNKNOWNS], 0);
+        while i < MAX_UNKNOWNS {
             exponents[i] = self.exponents[i].checked_add(other.exponents[i])?;
+            i += 1;
         }
         Some(Self { exponents })
     }
@@ -138,18 +141,20 @@ impl Monomial {
     /// All exponents as the bytes of one number, the last one the highest.
     #[inline]
     fn packed(&self) -> u128 {
-        let mut bytes = [0; MAX_UNKNOWNS];
-        for i in 0..MAX_UNKNOWNS {
-            bytes[i] = self.exponents[i].cast_unsigned();
+        let (mut bytes, mut i) = ([0; MAX_UNKNOWNS], 0);
+        while i < MAX_UNKNOWNS {
+            bytes[i] = self.exponents[i] as u8;
+            i += 1;
         }
         u128::from_le_bytes(bytes)
     }
 
     #[inline]
     fn unpacked(packed: u128) -> Self {
-        let (mut exponents, bytes) = ([0; MAX_UNKNOWNS], packed.to_le_bytes());
-        for i in 0..MAX_UNKNOWNS {
-            exponents[i] = bytes[i].cast_signed();
+        let (mut exponents, mut i, bytes) = ([0; MAX_UNKNOWNS], 0, packed.to_le_bytes());
+        while i < MAX_UNKNOWNS {
+            exponents[i] = bytes[i] as i8;
+            i += 1;
         }
         Self { exponents }
     }
