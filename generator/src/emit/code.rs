@@ -42,16 +42,18 @@ pub(super) fn statements(plan: &Plan) -> TokenStream {
     }
 }
 
-/// A function from the data to values of a program, which is called from several places and in more
-/// than one precision, but never with several instances side by side.
+/// A function from the data to values of a program, which is called from several places, but never
+/// with several instances side by side. Its callers call so many functions like it: if it is short,
+/// they get a copy.
 pub(super) fn shared_function(
     given: (&[DataParameter], usize),
     name: (&Ident, &str),
     program: &Program,
     values: &[ValueId],
+    functions: usize,
 ) -> TokenStream {
     let code = function(given, name, program, values);
-    let is_short = program.steps() <= MOST_TOGETHER;
+    let is_short = program.steps() * functions <= MOST_TOGETHER;
     let attribute = if is_short { quote!(#[inline(always)]) } else { quote!(#[inline(never)]) };
     quote!(#attribute #code)
 }

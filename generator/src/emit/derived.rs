@@ -110,7 +110,7 @@ pub(super) fn functions(plan: &Plan, listings: &mut Listings) -> TokenStream {
     let operands = plan.derived.iter().enumerate().filter(is_read).map(|(number, planned)| {
         let PlannedDerivation { derivation, program, .. } = planned;
         let name = (&name(number), " What data are derived from.");
-        code::shared_function(code::inputs_of(plan), name, program, &derivation.operands)
+        code::shared_function(code::inputs_of(plan), name, program, &derivation.operands, plan.derived.len())
     });
     let readers = [Reader::Solve, Reader::Results].into_iter().filter(|&reader| {
         let is_shared = reader == Reader::Results && function_name(plan, reader) == function_name(plan, Reader::Solve);

@@ -20,7 +20,7 @@ fn function(measurement: &PlannedMeasurement) -> TokenStream {
     let PlannedMeasurement { name, docs, data, shape, program, elements } = measurement;
     let inputs: usize = data.iter().map(DataParameter::len).sum();
     let [mean, given] = [format_ident!("mean_{name}"), format_ident!("given_{name}")];
-    let compute = code::shared_function((data, inputs), (&given, " What one measurement gives."), program, elements);
+    let compute = code::shared_function((data, inputs), (&given, " What one measurement gives."), program, elements, 1);
     let docs = docs.iter().map(|line| doc_line(line));
     let listed: Vec<String> = data.iter().map(|parameter| format!("`{}`", parameter.name)).collect();
     let doc = format!(

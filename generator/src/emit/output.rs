@@ -50,7 +50,7 @@ fn coefficients(plan: &Plan, output: &PlannedOutput, listings: &mut Listings) ->
     let function = format_ident!("{COEFFICIENTS}");
     if output.program.form == ProgramForm::Statements {
         let name = (&function, doc);
-        return code::shared_function(code::inputs_of(plan), name, &output.program, &output.coefficients);
+        return code::shared_function(code::inputs_of(plan), name, &output.program, &output.coefficients, 1);
     }
     let table = ProgramTable::of_program(&output.program, plan.inputs(), &output.coefficients);
     let name = format_ident!("PROGRAM_OF_RESULTS");
