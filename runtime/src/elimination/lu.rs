@@ -298,3 +298,47 @@ fn back_substitute_in_place<R: Real>(matrix: &[R], right: &mut [&mut [R]], first
         row.iter_mut().for_each(|entry| *entry *= inverse);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::Scalar;
+    use crate::number::double_double::DoubleDouble;
+
+    /// Numbers in [-1, 1): the fractional parts of an irrational times squares, with digits below
+    /// those of `f64`.
+    fn drawn(k: usize) -> DoubleDouble {
+        let part = |k: usize| 2.0 * ((k * k) as f64 * 0.754_877_666_246_692_8).fract() - 1.0;
+        DoubleDouble::from_f64(part(k)) + DoubleDouble::from_f64(part(k + 1000) * 1e-20)
+    }
+
+    /// At twice the precision the solution has the bits that a size known to the compiler gives.
+    fn agrees<const N: usize, const M: usize, const ROWS: usize>(matrix: [[DoubleDouble; N]; N], needed: usize) {
+        let mut right: [[DoubleDouble; M]; ROWS] =
+            core::array::from_fn(|i| core::array::from_fn(|j| drawn(500 + M * i + j)));
+        let (mut of_slices, mut right_of_slices) = (matrix, right);
+        let mut constant = matrix;
+        let solved = solve_block_trailing(&mut constant, &mut right, needed);
+        assert_eq!(DoubleDouble::solve_block(&mut of_slices, &mut right_of_slices, needed), solved);
+        if solved.is_ok() {
+            assert_eq!((of_slices, &right_of_slices[N - needed..]), (constant, &right[N - needed..]));
+        }
+        let is_regular = matrix[N - 1] != [DoubleDouble::ZERO; N];
+        assert_eq!(solved.is_ok(), is_regular && ROWS >= N, "{solved:?}");
+    }
+
+    #[test]
+    fn slices_give_the_same_bits_at_twice_the_precision() {
+        for seed in 0..20 {
+            let mut matrix: [[DoubleDouble; 5]; 5] =
+                core::array::from_fn(|i| core::array::from_fn(|j| drawn(100 * seed + 5 * i + j)));
+            // The first pivot is elsewhere.
+            matrix[0][0] = DoubleDouble::ZERO;
+            agrees::<5, 3, 5>(matrix, 5);
+            agrees::<5, 3, 7>(matrix, 2);
+            agrees::<5, 1, 4>(matrix, 5);
+            matrix[4] = [DoubleDouble::ZERO; 5];
+            agrees::<5, 3, 5>(matrix, 5);
+        }
+    }
+}
