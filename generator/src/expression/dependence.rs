@@ -64,3 +64,27 @@ impl ExpressionGraph {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Derived data depend on what they are derived from, also through other derived data, if that
+    /// way counts; data between them are not read.
+    #[test]
+    fn derivations_lead_to_given_data() {
+        let mut graph = ExpressionGraph::new(&[vec![3, 5, 7, 11], vec![3, 5, 7, 11]]);
+        let quotient = DerivationKind::Solve { size: 1, right: 1 };
+        let given: Vec<ExpressionId> = (0..4).map(|input| graph.input(input)).collect();
+        let first = graph.derive(quotient, &[given[0], given[1]]).expect("3 is invertible")[0];
+        let other = graph.derive(quotient, &[given[2], given[3]]).expect("7 is invertible")[0];
+        let last = graph.derive(quotient, &[first, given[2]]).expect("5 / 3 is invertible")[0];
+        assert_eq!(graph.given_inputs_of(&[first], 4), [true, true, false, false]);
+        assert_eq!(graph.given_inputs_of(&[other], 4), [false, false, true, true]);
+        assert_eq!(graph.given_inputs_of(&[last], 4), [true, true, true, false]);
+        assert_eq!(graph.given_inputs_of(&[last, other], 4), [true; 4]);
+        let roots_only = graph.needed_by_way_of_derivations(&[last], |kind| kind == DerivationKind::SquareRoot);
+        assert_eq!(roots_only, graph.needed(&[last]));
+        assert!(given.iter().all(|id| !roots_only[id.index()]));
+    }
+}
