@@ -1,5 +1,5 @@
 /// Pose of a calibrated camera that looks at five points through a plane at which light is
-/// refracted: 16 solutions.
+/// refracted: 8 solutions.
 ///
 /// Haner, Åström, "Absolute pose for cameras under flat refractive interfaces", CVPR 2015.
 /// Published as `refract5p`.
@@ -9,15 +9,19 @@
 /// index of refraction on the side of the points, relative to that on the side of the camera.
 /// Refraction keeps a ray in its plane with the normal, so that R ray and the point X minus the
 /// centre (v, w, ..) of the camera are parallel in their first two coordinates:
-/// (r1 ray) (X2 - w) - (r2 ray) (X1 - v) = 0 with the rows r1, r2, r3 of R, that of the quaternion.
-/// This is linear in r1, r2 and u = v r2 - w r1. Five such equations are combined so that u
-/// vanishes; otherwise they give u, which is across r3. Of a rotation and the same turned by a half
-/// about the normal one has the points ahead of the camera.
+/// (r1 ray) (X2 - w) - (r2 ray) (X1 - v) = 0 with the rows r1, r2, r3 of R. This is linear in r1,
+/// r2 and u = v r2 - w r1, so these are a sum of four vectors, each times its weight. r1 and r2
+/// have one length and are orthogonal, and u is in their plane: the determinant is 0. Four complex
+/// solutions with r1 and r2 of length 0 satisfy that for any u. They are none of the other form, in
+/// which u is the sum of its parts along r1 and r2. The two together are all cubic equations.
 ///
-/// `rotation` takes rays to the frame of the points, and `centre` is that of the camera. Its height
-/// follows from how much the rays are bent, by least squares.
+/// The published system is stated in a quaternion and has 16 solutions: with (r1, r2, r3) also
+/// (-r1, -r2, r3), the same turned by a half about the normal. Both have the same weights here, up
+/// to sign. Of the two, `rotation` is the one with the points ahead of the camera. It takes rays to
+/// the frame of the points, and `centre` is that of the camera. Its height follows from how much
+/// the rays are bent, by least squares.
 fn pose_5pt_refraction(rays: [[f64; 3]; 5], points: [[f64; 3]; 5], index: f64) -> (
-    #[projective] quaternion: [f64; 4],
+    #[projective] weights: [f64; 4],
 ) {
     // Relative to the first point, in units in which they are about 1.
     let mut offsets = [[0; 2]; 5];
@@ -25,53 +29,83 @@ fn pose_5pt_refraction(rays: [[f64; 3]; 5], points: [[f64; 3]; 5], index: f64) -
         offsets[k] = [points[k][0] - points[0][0], points[k][1] - points[0][1]];
     }
     let unit = norm([offsets[1], offsets[2], offsets[3], offsets[4]]);
-    let mut of_u = [[0; 3]; 5];
-    let mut of_rotation = [[0; 6]; 5];
+    let mut directions = [[0; 3]; 5];
+    let mut rows = [[0; 9]; 5];
     for k in 0..5 {
-        of_u[k] = normalise(rays[k]);
+        directions[k] = normalise(rays[k]);
         let [x, y] = offsets[k] / unit;
         for i in 0..3 {
-            of_rotation[k][i] = y * of_u[k][i];
-            of_rotation[k][3 + i] = -x * of_u[k][i];
+            rows[k][i] = y * directions[k][i];
+            rows[k][3 + i] = -x * directions[k][i];
+            rows[k][6 + i] = directions[k][i];
         }
     }
-    let [w, x, y, z] = quaternion;
-    let r1 = [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)];
-    let r2 = [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)];
-    let third = [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z];
-    let entries = reshape([r1, r2], [6]);
-    null_space(of_u.t()) * of_rotation * entries == 0;
-    let u = -solve(of_u.t() * of_u, of_u.t() * of_rotation) * entries;
-    dot(third, u) == 0;
-    let foot = [dot(u, r2), -dot(u, r1)];
-    let size = dot(quaternion, quaternion).pow(2);
-    let [mut down, mut across, mut gap, mut depth] = [[0; 5]; 4];
+    let rows = reshape(weights * null_space(rows), [3, 3]);
+    let [r1, r2, u] = rows;
+    dot(r1, r1) == dot(r2, r2);
+    dot(r1, r2) == 0;
+    det(rows) == 0;
+    dot(r1, r1) * u == dot(u, r1) * r1 + dot(u, r2) * r2;
+    let third = cross(r1, r2);
+    let [mut down, mut depths] = [[0; 5]; 2];
     for k in 0..5 {
-        let ray = [dot(r1, of_u[k]), dot(r2, of_u[k])];
-        down[k] = dot(third, of_u[k]);
-        across[k] = dot(ray, ray);
-        gap[k] = dot(size * offsets[k] / unit - foot, ray);
-        depth[k] = norm([points[k][2]]) / unit;
+        down[k] = dot(third, directions[k]);
+        depths[k] = norm([points[k][2]]) / unit;
     }
-    gap[0] + gap[1] + gap[2] + gap[3] + gap[4] > 0;
     dot(down, points.t()[2]) > 0;
-    // Beyond its depth times the slope of the bent ray, a point is away by the height times the
-    // slope of the ray.
-    let n = index * index;
     RefractedPose {
-        rotation: [r1, r2, third],
-        centre: [
-            points[0][0] + unit * foot[0],
-            points[0][1] + unit * foot[1],
-            unit
-                * (down[0] * (depth[0] * across[0] / sqrt(n - across[0]) - gap[0])
-                    + down[1] * (depth[1] * across[1] / sqrt(n - across[1]) - gap[1])
-                    + down[2] * (depth[2] * across[2] / sqrt(n - across[2]) - gap[2])
-                    + down[3] * (depth[3] * across[3] / sqrt(n - across[3]) - gap[3])
-                    + down[4] * (depth[4] * across[4] / sqrt(n - across[4]) - gap[4]))
-                / (across[0] + across[1] + across[2] + across[3] + across[4]),
-        ],
+        rotation: rotation(of_length_1(rows, directions, offsets / unit)),
+        centre: concat(
+            [points[0][0], points[0][1]] + unit * foot(of_length_1(rows, directions, offsets / unit)),
+            unit * height(of_length_1(rows, directions, offsets / unit), directions, offsets / unit, depths, index),
+        ),
     }
+}
+
+/// The first two rows of R, and u: divided by the length of a row, with the sign for which the
+/// points are ahead of the camera.
+fn of_length_1(rows: [[f64; 3]; 3], directions: [[f64; 3]; 5], offsets: [[f64; 2]; 5]) -> [[f64; 3]; 3] {
+    let scaled = sqrt(1 / dot(rows[0], rows[0])) * rows;
+    let mut ahead = 0;
+    for k in 0..5 {
+        ahead += gap(scaled, directions[k], offsets[k]);
+    }
+    ahead * sqrt(1 / (ahead * ahead)) * scaled
+}
+
+fn rotation(rows: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    [rows[0], rows[1], cross(rows[0], rows[1])]
+}
+
+/// The point of the plane below the camera.
+fn foot(rows: [[f64; 3]; 3]) -> [f64; 2] {
+    [dot(rows[2], rows[1]), -dot(rows[2], rows[0])]
+}
+
+/// How far a point is from there along its ray, times the length of the ray in the plane.
+fn gap(rows: [[f64; 3]; 3], direction: [f64; 3], offset: [f64; 2]) -> f64 {
+    dot(offset - foot(rows), [dot(rows[0], direction), dot(rows[1], direction)])
+}
+
+/// The height of the camera, by least squares. Beyond its depth times the slope of the bent ray, a
+/// point is away by the height times the slope of the ray.
+fn height(
+    rows: [[f64; 3]; 3],
+    directions: [[f64; 3]; 5],
+    offsets: [[f64; 2]; 5],
+    depths: [f64; 5],
+    index: f64,
+) -> f64 {
+    let mut sum = 0;
+    let mut weight = 0;
+    for k in 0..5 {
+        let ray = [dot(rows[0], directions[k]), dot(rows[1], directions[k])];
+        let across = dot(ray, ray);
+        let bent = depths[k] / sqrt(index * index - across);
+        sum += dot(cross(rows[0], rows[1]), directions[k]) * (across * bent - gap(rows, directions[k], offsets[k]));
+        weight += across;
+    }
+    sum / weight
 }
 
 /// A camera 1 to 3 above water that looks at points up to 3 deep in it, by Snell's law.

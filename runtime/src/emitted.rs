@@ -45,7 +45,7 @@ pub use crate::spectrum::real_roots::{RealRoots, real_roots};
 pub use crate::unpolished::{eigenvalues, unpolished_points};
 
 /// The version of this interface. Emitted code states the one that it was written for.
-pub const VERSION: u32 = 13;
+pub const VERSION: u32 = 14;
 
 /// The handshake of emitted code, evaluated when it is compiled.
 ///

@@ -354,9 +354,9 @@ fn linear_block(block: &PlannedBlock) -> TokenStream {
     let unknowns: Vec<Literal> = block.unknowns.iter().map(|&unknown| Literal::usize_unsuffixed(unknown)).collect();
     let rows = block.rows.iter().flatten().map(|entry| sum(entry, &unknowns[0]));
     quote! {
-        let rows = [#(#rows),*];
+        let mut rows = [#(#rows),*];
         let mut linear = [#(x[#unknowns]),*];
-        emitted::least_squares(&rows, &mut linear);
+        emitted::least_squares(&mut rows, &mut linear);
         [#(x[#unknowns]),*] = linear;
     }
 }

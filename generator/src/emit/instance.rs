@@ -12,7 +12,7 @@ use crate::plan::value_layout::ValueLayout;
 use crate::plan::{CoefficientId, Plan};
 
 /// The version of the runtime's hidden interface that is emitted for.
-pub const RUNTIME_VERSION: u32 = 13;
+pub const RUNTIME_VERSION: u32 = 14;
 
 /// That the origin of the unknowns that presolve kept is a solution, if it is one, and how
 /// solutions are lost at which an unknown vanishes.

@@ -74,9 +74,9 @@ fn recovered(plan: &Plan, system: &System<'_>, mut x: WidePoint) -> WidePoint {
         terms.iter().map(term).fold(zero, |sum, term| sum + term)
     };
     if let Some(block) = &plan.linear {
-        let rows: WidePoint = block.rows.iter().flatten().map(|entry| sum(entry, &x)).collect();
+        let mut rows: WidePoint = block.rows.iter().flatten().map(|entry| sum(entry, &x)).collect();
         let mut linear = vec![zero; block.unknowns.len()];
-        least_squares(&rows, &mut linear);
+        least_squares(&mut rows, &mut linear);
         block.unknowns.iter().zip(linear).for_each(|(&unknown, value)| x[unknown] = value);
     }
     for recovery in &plan.recoveries {

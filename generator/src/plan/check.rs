@@ -160,7 +160,7 @@ impl Plan {
             |t: &Term, known: &[bool]| is_term(t) && t.exponents.iter().zip(known).all(|(&e, &known)| e == 0 || known);
         if let Some(block) = &self.linear {
             let (count, rows) = (block.unknowns.len(), &block.rows);
-            let has_shape = rows.iter().all(|row| row.len() == count + 1) && rows.len() > count;
+            let has_shape = rows.iter().all(|row| row.len() == count + 1) && rows.len() >= count;
             require(has_shape && (1..=MOST_LINEAR).contains(&count), "a linear block has another shape")?;
             let terms = rows.iter().flatten().flatten().all(|t| reads_known(t, &known));
             require(terms, "a term reads something unknown")?;

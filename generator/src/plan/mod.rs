@@ -407,9 +407,10 @@ impl Plan {
     }
 
     /// Whether an elimination at twice the precision computes the coefficients anew: tables can be
-    /// executed in it, and what presolve divides by may be zero up to rounding in `f64`.
+    /// executed in it, what presolve divides by may be zero up to rounding in `f64`, and
+    /// determinants may lose all digits there.
     pub fn has_precise_coefficients(&self) -> bool {
-        self.program.form == ProgramForm::Table || !self.quotients().is_empty()
+        self.program.form == ProgramForm::Table || !self.quotients().is_empty() || self.linear.is_some()
     }
 
     /// The number of scalars in the data that are given.

@@ -21,6 +21,7 @@
 //! that must not vanish at one is divided out: where x is a translation and y a rotation by
 //! Cayley's parameters, that is the denominator of the rotation.
 
+use super::cramer::ByDeterminants;
 use super::reduced::{LinearBlock, MAX_TERMS, ReducedProblem};
 use crate::algebra::Monomial;
 use crate::expression::{ExpressionGraph, SignedProduct, SymbolicPolynomial};
@@ -42,8 +43,9 @@ const LONG_PRODUCT: usize = 100;
 /// are not more equations than such unknowns, where none is left, or where equations would become
 /// too long or vanish at the origin.
 pub(super) fn eliminate_linear(reduced: &mut ReducedProblem, unknown: usize) {
-    let unknowns = linear_with(reduced, unknown);
-    if unknowns.is_empty() || unknowns.len() == reduced.kept.len() {
+    let unknowns = [Others::AreLinear, Others::AreAny].map(|others| linear_with(reduced, unknown, others));
+    let Some(unknowns) = unknowns.into_iter().find(|unknowns| !unknowns.is_empty()) else { return };
+    if unknowns.len() == reduced.kept.len() {
         return;
     }
     let mut problem = reduced.problem.clone();
@@ -53,21 +55,33 @@ pub(super) fn eliminate_linear(reduced: &mut ReducedProblem, unknown: usize) {
     reduced.linear = Some(block);
 }
 
-/// The unknowns of a block: this one, and each further one with which all equations are still
-/// linear, and more than the unknowns. Those after it are tried first: a vector stays together.
-fn linear_with(reduced: &ReducedProblem, unknown: usize) -> Vec<usize> {
-    let degree = |m: &Monomial, unknowns: &[usize]| unknowns.iter().map(|&x| i32::from(m.exponent(x))).sum::<i32>();
-    let is_linear = |unknowns: &[usize]| {
-        let holds = |p: &&SymbolicPolynomial| p.monomials().any(|m| degree(&m, unknowns) > 0);
-        let rows = reduced.problem.polynomials().filter(holds).count();
-        let mut monomials = reduced.problem.polynomials().flat_map(|p| p.monomials());
-        monomials.all(|m| degree(&m, unknowns) <= 1) && (unknowns.len() + 1..=MOST_ROWS).contains(&rows)
+/// What is asked of equations beside those from which unknowns are eliminated.
+#[derive(Clone, Copy)]
+enum Others {
+    /// All equations are linear in the unknowns, and more than these.
+    AreLinear,
+    /// As many as there are unknowns are linear in them.
+    AreAny,
+}
+
+/// The unknowns of a block: this one, and each further one with which there are still linear
+/// equations enough. Those after it are tried first: a vector stays together.
+fn linear_with(reduced: &ReducedProblem, unknown: usize, others: Others) -> Vec<usize> {
+    let is_enough = |unknowns: &[usize]| {
+        let degrees: Vec<i32> = reduced.problem.polynomials().map(|p| degree(p, unknowns)).collect();
+        let rows = degrees.iter().filter(|&&degree| degree == 1).count();
+        let least = match others {
+            Others::AreLinear if degrees.iter().any(|&degree| degree > 1) => return false,
+            Others::AreLinear => unknowns.len() + 1,
+            Others::AreAny => unknowns.len(),
+        };
+        (least..=MOST_ROWS).contains(&rows)
     };
     let (before, after): (Vec<usize>, Vec<usize>) = reduced.kept.iter().partition(|&&kept| kept < unknown);
     let mut block = Vec::new();
     for candidate in after.into_iter().chain(before) {
         block.push(candidate);
-        if block.len() > MOST_LINEAR || !is_linear(&block) {
+        if block.len() > MOST_LINEAR || !is_enough(&block) {
             block.pop();
         }
         if block.first() != Some(&unknown) {
@@ -78,24 +92,47 @@ fn linear_with(reduced: &ReducedProblem, unknown: usize) -> Vec<usize> {
     block
 }
 
-/// Replaces the equations that hold the unknowns by minors.
+/// The degree of a polynomial in these unknowns.
+fn degree(p: &SymbolicPolynomial, unknowns: &[usize]) -> i32 {
+    p.monomials().map(|m| unknowns.iter().map(|&x| i32::from(m.exponent(x))).sum()).max().unwrap_or(0)
+}
+
+/// Replaces the equations that are linear in the unknowns by minors, and the unknowns in others by
+/// determinants.
 fn split(problem: &mut Problem, unknowns: &[usize]) -> Option<LinearBlock> {
-    let holds = |p: &SymbolicPolynomial| p.monomials().any(|m| unknowns.iter().any(|&x| m.exponent(x) != 0));
-    let (with, mut without): (Vec<Statement>, Vec<Statement>) =
-        std::mem::take(&mut problem.equations).into_iter().partition(|equation| holds(&equation.polynomial));
-    let rows: Vec<Vec<SymbolicPolynomial>> = with.iter().map(|equation| row(&equation.polynomial, unknowns)).collect();
+    let (mut linear, mut others, mut without) = (Vec::new(), Vec::new(), Vec::new());
+    for equation in std::mem::take(&mut problem.equations) {
+        match degree(&equation.polynomial, unknowns) {
+            0 => without.push(equation),
+            1 => linear.push(equation),
+            _ => others.push(equation),
+        }
+    }
+    let rows: Vec<Vec<SymbolicPolynomial>> = linear.iter().map(|equation| row(&equation.polynomial, unknowns)).collect();
     if rows.iter().all(|row| row.last().is_none_or(SymbolicPolynomial::is_zero)) {
         return None;
     }
-    problem.nonzero.retain(|factor| !holds(&factor.polynomial));
-    let factors: Vec<SymbolicPolynomial> = problem.nonzero.iter().map(|factor| factor.polynomial.clone()).collect();
-    for (first, minor) in minors(&mut problem.graph, &rows)? {
-        let minor = factors.iter().fold(minor, |minor, factor| without_factor(&mut problem.graph, minor, factor));
-        if minor.terms().len() > MAX_TERMS {
+    problem.nonzero.retain(|factor| degree(&factor.polynomial, unknowns) == 0);
+    let graph = &mut problem.graph;
+    let mut in_others: Vec<(Statement, SymbolicPolynomial)> = Vec::new();
+    for (first, minor) in minors(graph, &rows)? {
+        in_others.push((linear[first].clone(), minor));
+    }
+    if !others.is_empty() {
+        let mut values = ByDeterminants::new(graph, unknowns, &rows[..unknowns.len()])?;
+        for equation in others {
+            let polynomial = values.substituted(graph, &equation.polynomial)?;
+            in_others.push((equation, polynomial));
+        }
+    }
+    for (statement, polynomial) in in_others {
+        let factors = problem.nonzero.iter().map(|factor| &factor.polynomial);
+        let polynomial = factors.fold(polynomial, |p, factor| without_factor(&mut problem.graph, p, factor));
+        if polynomial.terms().len() > MAX_TERMS {
             return None;
         }
-        if !minor.is_zero() {
-            without.push(Statement { polynomial: minor, ..with[first].clone() });
+        if !polynomial.is_zero() {
+            without.push(Statement { polynomial, ..statement });
         }
     }
     problem.equations = without;
@@ -118,7 +155,7 @@ fn row(equation: &SymbolicPolynomial, unknowns: &[usize]) -> Vec<SymbolicPolynom
 
 /// All minors of as many rows as there are columns, with the first of their rows. Those of the
 /// first k columns, one for each set of k rows, are expanded along their last column.
-fn minors(graph: &mut ExpressionGraph, rows: &[Vec<SymbolicPolynomial>]) -> Option<Vec<(usize, SymbolicPolynomial)>> {
+pub(super) fn minors(graph: &mut ExpressionGraph, rows: &[Vec<SymbolicPolynomial>]) -> Option<Vec<(usize, SymbolicPolynomial)>> {
     let columns = rows.first()?.len();
     let sets = |size: usize| (0u32..1 << rows.len()).filter(move |set| set.count_ones() as usize == size);
     if sets(columns).count() > MOST_MINORS {
@@ -146,7 +183,7 @@ fn minors(graph: &mut ExpressionGraph, rows: &[Vec<SymbolicPolynomial>]) -> Opti
 }
 
 /// The sum of products, as [`ExpressionGraph::polynomial_product_sum`] where factors are long.
-fn sum(graph: &mut ExpressionGraph, products: &[SignedProduct<'_>]) -> Option<SymbolicPolynomial> {
+pub(super) fn sum(graph: &mut ExpressionGraph, products: &[SignedProduct<'_>]) -> Option<SymbolicPolynomial> {
     if products.iter().any(|(_, entry, minor)| entry.terms().len() * minor.terms().len() >= LONG_PRODUCT) {
         return graph.polynomial_product_sum(products);
     }

@@ -11,6 +11,7 @@
 //! place of one.
 
 mod combine;
+mod cramer;
 mod determinants;
 pub mod exchange;
 mod gauss_jordan;

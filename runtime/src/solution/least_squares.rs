@@ -5,8 +5,8 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// Larger systems are not solved.
 pub const MOST_LINEAR: usize = 4;
 
-/// The x with the least sum of squares of A x + b, from the normal equations A^T A x = -A^T b. A is
-/// m x n, and its rows come with their entry of b:
+/// The x with the least sum of squares of A x + b. A is m x n, and its rows come with their entry of
+/// b:
 ///
 /// ```text
 ///           x_1  ..  x_n   1
@@ -14,12 +14,14 @@ pub const MOST_LINEAR: usize = 4;
 ///         [      A         b    ]
 /// ```
 ///
-/// Where A x + b = 0 can be solved, complex numbers need no conjugates. There are no pivots, so
-/// that several instances take the same steps: A^T A of real numbers needs none. The normal
-/// equations lose half of the digits where A is nearly singular; the polish brings them back.
-/// Nothing is written if there are more than [`MOST_LINEAR`] unknowns, or no rows.
+/// Columns are made orthogonal to those before them, one after another, b like the others
+/// (modified Gram-Schmidt without roots; Björck, "Solving linear least squares problems by
+/// Gram-Schmidt orthogonalization", BIT 7, 1967, formula 4): errors grow with the condition of A.
+/// There are no pivots, so that several instances take the same steps. Where A x + b = 0 can be
+/// solved, complex numbers need no conjugates. Nothing is written if there are more than
+/// [`MOST_LINEAR`] unknowns, or no rows; the rows are overwritten.
 #[inline]
-pub fn least_squares<T>(rows: &[T], x: &mut [T])
+pub fn least_squares<T>(rows: &mut [T], x: &mut [T])
 where
     T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T> + Div<Output = T> + Neg<Output = T>,
 {
@@ -28,26 +30,24 @@ where
     if n > MOST_LINEAR {
         return;
     }
-    let mut normal = [[any; MOST_LINEAR + 1]; MOST_LINEAR];
-    for i in 0..n {
-        for j in i..=n {
-            let products = rows.chunks_exact(n + 1).map(|row| row[i] * row[j]);
-            let Some(sum) = products.reduce(|sum, product| sum + product) else { return };
-            normal[i][j] = sum;
-        }
-    }
-    // The upper triangle of a symmetric matrix stays symmetric under elimination.
+    let mut triangle = [[any; MOST_LINEAR + 1]; MOST_LINEAR];
     for pivot in 0..n {
-        for i in pivot + 1..n {
-            let factor = normal[pivot][i] / normal[pivot][pivot];
-            for j in i..=n {
-                normal[i][j] = normal[i][j] - factor * normal[pivot][j];
+        let product = |rows: &[T], column: usize| {
+            let products = rows.chunks_exact(n + 1).map(|row| row[pivot] * row[column]);
+            products.reduce(|sum, product| sum + product)
+        };
+        let Some(square) = product(rows, pivot) else { return };
+        for column in pivot + 1..=n {
+            let Some(along) = product(rows, column) else { return };
+            let part = along / square;
+            for row in rows.chunks_exact_mut(n + 1) {
+                row[column] = row[column] - part * row[pivot];
             }
+            triangle[pivot][column] = part;
         }
     }
     for i in (0..n).rev() {
-        let sum = (i + 1..n).fold(normal[i][n], |sum, j| sum + normal[i][j] * x[j]);
-        x[i] = -sum / normal[i][i];
+        x[i] = -(i + 1..n).fold(triangle[i][n], |sum, j| sum + triangle[i][j] * x[j]);
     }
 }
 
@@ -70,9 +70,9 @@ mod tests {
                 let constant: f64 = of_x.clone().zip(expected).map(|(a, x)| -a * x).sum();
                 of_x.chain([constant])
             };
-            let rows: Vec<f64> = (0..n + 2).flat_map(row).collect();
+            let mut rows: Vec<f64> = (0..n + 2).flat_map(row).collect();
             let mut x = vec![0.0; n];
-            least_squares(&rows, &mut x);
+            least_squares(&mut rows, &mut x);
             assert!(x.iter().zip(expected).all(|(x, e)| (x - e).abs() < 1e-11), "{n}: {x:?}");
         }
     }
@@ -81,7 +81,7 @@ mod tests {
     fn what_cannot_be_solved_is_fitted() {
         // x = 1, 2 and 6: their mean.
         let mut x = [0.0];
-        least_squares(&[1.0, -1.0, 1.0, -2.0, 1.0, -6.0], &mut x);
+        least_squares(&mut [1.0, -1.0, 1.0, -2.0, 1.0, -6.0], &mut x);
         assert_eq!(x, [3.0]);
     }
 
@@ -91,17 +91,17 @@ mod tests {
         let one = Complex::new(1.0, 0.0);
         // (1 + i) x = 2 and x = 1 - i.
         let mut x = [one];
-        least_squares(&[one + i, -(one + one), one, i - one], &mut x);
+        least_squares(&mut [one + i, -(one + one), one, i - one], &mut x);
         assert!((x[0] - (one - i)).norm() < 1e-15, "{x:?}");
     }
 
     #[test]
     fn sizes_that_do_not_fit_write_nothing() {
         let mut x = [7.0; MOST_LINEAR + 1];
-        least_squares(&[1.0; 12], &mut x);
+        least_squares(&mut [1.0; 12], &mut x);
         assert_eq!(x, [7.0; MOST_LINEAR + 1]);
         let mut x = [7.0];
-        least_squares(&[], &mut x);
+        least_squares(&mut [], &mut x);
         assert_eq!(x, [7.0]);
     }
 }

@@ -439,9 +439,10 @@ impl SolverInstance for InterpretedInstance<'_> {
 
     fn recover<S: Scalar>(&self, x: &mut Vec<S>) {
         if let Some(block) = &self.solver.linear {
-            let rows: Vec<S> = block.rows.iter().flatten().map(|entry| sum(entry, &self.coefficients, x)).collect();
+            let entries = block.rows.iter().flatten();
+            let mut rows: Vec<S> = entries.map(|entry| sum(entry, &self.coefficients, x)).collect();
             let mut linear = vec![S::ZERO; block.unknowns.len()];
-            emitted::least_squares(&rows, &mut linear);
+            emitted::least_squares(&mut rows, &mut linear);
             block.unknowns.iter().zip(linear).for_each(|(&unknown, value)| x[unknown] = value);
         }
         for recovery in &self.solver.recoveries {
