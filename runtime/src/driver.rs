@@ -88,6 +88,9 @@ pub(crate) fn solve<I: SolverInstance>(
         Some(action) => from_action(solver, action, found, (&mut known, may_repeat)),
         None => first_attempt(solver, found, (&mut known, may_repeat)),
     };
+    if may_repeat {
+        found.forget_stalled();
+    }
     if !(may_repeat && (first.is_err() || found.lacks_some())) {
         return first.map(|_| ());
     }

@@ -8,7 +8,7 @@ use crate::number::scalar::mapped;
 use crate::size::{List, Size};
 use crate::solution::distinct::{Candidate, DOUBLE, push_distinct};
 use crate::solution::extract::unknowns;
-use crate::solution::polish::{POLISH_STEPS, zero_below_accuracy};
+use crate::solution::polish::{POLISH_STEPS, STALLED, zero_below_accuracy};
 use crate::solution::symmetries::{Image, mapped_by};
 use crate::solver_instance::{BasisVector, EigenpairSource, Found, Point, Points, SolverInstance};
 
@@ -56,6 +56,10 @@ pub(crate) trait Collection<I: SolverInstance> {
 
     /// Whether the number of solutions shows that some are missing.
     fn lacks_some(&self) -> bool;
+
+    /// Forgets the solutions whose residual is [`STALLED`]: such a point may be none, and stand for
+    /// one that is missing.
+    fn forget_stalled(&mut self);
 }
 
 /// All complex solutions.
@@ -145,6 +149,11 @@ impl<I: SolverInstance> Collection<I> for AllSolutions<I> {
     #[inline]
     fn lacks_some(&self) -> bool {
         self.found.len() < self.most
+    }
+
+    #[inline]
+    fn forget_stalled(&mut self) {
+        self.found.keep(|candidate| candidate.residual <= STALLED);
     }
 }
 

@@ -10,6 +10,7 @@ use crate::solution::candidates::{
 };
 use crate::solution::distinct::Candidate;
 use crate::solution::extract::unknowns;
+use crate::solution::polish::STALLED;
 #[cfg(feature = "alloc")]
 use crate::solver_instance::Point;
 use crate::solver_instance::{BasisVector, EigenpairSource, Found, Points, SolverInstance};
@@ -168,7 +169,7 @@ impl<I: SolverInstance> RealSolutions<I> {
         let end = polish_from(solver, start.clone())?;
         let start = Candidate { unknowns: start, residual: f64::INFINITY };
         let moved = end.distance(&start, IMPRECISE_FLOOR);
-        self.is_imprecise |= !(moved <= IMPRECISE);
+        self.is_imprecise |= !(moved <= IMPRECISE && end.residual <= STALLED);
         let off = |action: S| (action - value).modulus() / action.modulus();
         self.moved = solver.action_value(&end.unknowns).map_or(moved, off);
         let (size, error) = (value.modulus(), self.error.unwrap_or_default());
@@ -299,6 +300,16 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
                 let is_odd = !(self.most - self.real.len()).is_multiple_of(2);
                 is_odd || self.has_failed || self.expected.is_some_and(|count| count != self.real.len())
             }
+        }
+    }
+
+    #[inline]
+    fn forget_stalled(&mut self) {
+        let count = self.real.len();
+        self.real.keep(|candidate| candidate.residual <= STALLED);
+        self.has_failed |= self.real.len() < count;
+        if let Some(all) = &mut self.all {
+            all.forget_stalled();
         }
     }
 }
