@@ -20,7 +20,7 @@ pub use crate::elimination::template::{ActionRow, Block, Entry, action_matrix, c
 pub use crate::fill_entries;
 pub use crate::memory::Memory;
 #[cfg(feature = "alloc")]
-pub use crate::memory::{HeapList, HeapMatrix, HeapRows, OnHeap};
+pub use crate::memory::{HeapList, HeapMatrix, HeapRows, OnHeap, Precise};
 pub use crate::number::double_double::DoubleDouble;
 pub use crate::number::{Arithmetic, Over, Real};
 pub use crate::scaling::{MOST_SCALINGS, Scalings, scaled, unscale, unscaled};

@@ -2,7 +2,7 @@
 //! `alloc`; without it, no memory is on the heap.
 
 #[cfg(feature = "alloc")]
-pub use on_heap::{HeapList, HeapMatrix, HeapRows, Memory, OnHeap};
+pub use on_heap::{HeapList, HeapMatrix, HeapRows, Memory, OnHeap, Precise};
 
 /// Memory on the heap: there is none without the feature `alloc`.
 #[cfg(not(feature = "alloc"))]
@@ -20,6 +20,7 @@ mod on_heap {
     use core::fmt;
     use core::ops::{Deref, DerefMut, Index, IndexMut};
 
+    use crate::number::double_double::DoubleDouble;
     use crate::size::{Element, List, Size};
 
     /// Memory that matrices and lists on the heap come from and return to. A solve that takes as
@@ -94,6 +95,9 @@ mod on_heap {
 
     /// A matrix with rows of N numbers, as a caller keeps it.
     pub type HeapMatrix<const N: usize> = Vec<[f64; N]>;
+
+    /// Coefficients at twice the precision, computed when they are first needed.
+    pub type Precise<'w> = core::cell::OnceCell<HeapRows<'w, DoubleDouble>>;
 
     impl<V: Element> HeapRows<'_, V> {
         /// The rows, whose memory does not return.

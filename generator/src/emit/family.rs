@@ -54,6 +54,7 @@ pub(super) fn methods(plan: &Plan) -> TokenStream {
         [ProgramTable::values_of(&plan.program, plan.inputs()), plan.coefficients.len()].map(Literal::usize_unsuffixed);
     let ([values, coefficients], unknowns) = (counts, Literal::usize_unsuffixed(plan.unknowns.len()));
     let workspace = storage::has_coefficients_on_heap(plan).then(|| quote!(let workspace = self.workspace;));
+    let forget = storage::has_coefficients_on_heap(plan).then(|| quote!(self.precise.take();));
     let attempts = storage::allowed_attempts(plan);
     let (compute, (_, kept)) = (storage::coefficients_of_data(plan), storage::data(plan));
     let (inputs, stated) = (Literal::usize_unsuffixed(plan.inputs()), Literal::usize_unsuffixed(plan.stated));
@@ -79,6 +80,7 @@ pub(super) fn methods(plan: &Plan) -> TokenStream {
             let data = &#kept;
             #workspace
             self.coefficients = #compute;
+            #forget
         }
     }
 }

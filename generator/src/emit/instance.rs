@@ -90,8 +90,10 @@ pub(super) fn symmetries_of(plan: &Plan) -> TokenStream {
 /// The coefficients at twice the precision.
 fn precise_coefficients(plan: &Plan) -> TokenStream {
     let (function, (_, data)) = (program::name_of_table_function(plan), storage::data(plan));
-    let memory = storage::has_coefficients_on_heap(plan).then(|| quote!(, self.workspace.memory()));
-    quote!(self::#function::<emitted::DoubleDouble>(&#data #memory))
+    match storage::has_coefficients_on_heap(plan) {
+        true => quote!(self.precise.get_or_init(|| self::#function(&#data, self.workspace.memory()))),
+        false => quote!(self::#function::<emitted::DoubleDouble>(&#data)),
+    }
 }
 
 /// The coefficients for given data, and what they are for.
@@ -117,13 +119,14 @@ pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut List
     let (ratios, recovered) = (ratios(plan), code::recovered(plan));
     let (solver_instance, chains) = (solver_instance(plan, &action_matrix), chains::chains(plan));
     let ((storage, storage_type), generics) = (storage::field(plan), storage::generics(plan));
+    let (precise_field, no_precise) = storage::precise_field(plan);
     let value = match plan.is_on_heap() {
         true => quote! {
             let kept = data;
             let data = &kept[0];
-            Self { coefficients: #compute, data: kept, #units #no_read #storage }
+            Self { coefficients: #compute, data: kept, #units #no_read #no_precise #storage }
         },
-        false => quote!(Self { coefficients: #compute, data: *data, #units #no_read #storage }),
+        false => quote!(Self { coefficients: #compute, data: *data, #units #no_read #no_precise #storage }),
     };
     let (constructors, scalings) = (scaling::constructors(plan, &value), scaling::table(plan));
     let (parameters, quotients) = (family::table(plan), quotients(plan));
@@ -141,6 +144,7 @@ pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut List
             data: #data,
             #units_field
             #read_field
+            #precise_field
             #storage: #storage_type,
         }
 

@@ -61,6 +61,22 @@ pub(super) fn coefficients(plan: &Plan, number: &TokenStream) -> (TokenStream, T
     }
 }
 
+/// The field of an instance for its coefficients at twice the precision, and its value where they
+/// are not needed yet: several points that are refined share them. Only those on the heap are kept;
+/// others would take their place on the stack in each solve.
+pub(super) fn precise_field(plan: &Plan) -> (TokenStream, TokenStream) {
+    match has_coefficients_on_heap(plan) {
+        true => (
+            quote! {
+                /// The coefficients at twice the precision, once a point is refined.
+                precise: emitted::Precise<'w>,
+            },
+            quote!(precise: emitted::Precise::new(),),
+        ),
+        false => (quote!(), quote!()),
+    }
+}
+
 /// How the coefficients are computed from `data`.
 pub(super) fn coefficients_of_data(plan: &Plan) -> TokenStream {
     match plan.program.form {
