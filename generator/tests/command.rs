@@ -484,6 +484,9 @@ fn bench_times_the_stages_of_solvers() {
         assert!(times.len() == 2 && times[0] == times[1] && times[0].as_f64() > Some(0.0), "{report}");
     }
     assert_eq!(report["fit"]["shipped"]["predicted"][0], solvers[0]["predicted"], "no second attempts: {report}");
+    let output = eliminant(&folder, &["bench", "two_conics.rs", "--scenes"]);
+    assert_eq!(status(&output), 1);
+    assert!(stderr(&output).contains("`two_conics.rs` states no scene"), "{}", stderr(&output));
     let output = eliminant(&folder, &["bench", "two_conics.rs", "--runtime", "nowhere"]);
     assert_eq!(status(&output), 1);
     assert!(stderr(&output).contains("`nowhere`"), "{}", stderr(&output));

@@ -67,6 +67,9 @@ pub(super) enum CommandError {
         "error: cannot {action}: {reason}\nhelp: emitted solvers need cargo and the runtime crate `eliminant`; --runtime FOLDER names a checkout of it"
     )]
     Compiled { action: &'static str, reason: String },
+    /// `bench --scenes` needs scenes.
+    #[error("error: `{}` states no scene\nhelp: state a function with `#[scene]`, or leave out --scenes", problem.display())]
+    NoScene { problem: PathBuf },
     /// No solver can be made although the template holds.
     #[error("error: {}: {error}", problem.display())]
     Generate { problem: PathBuf, error: Box<GenerateError> },

@@ -1,18 +1,19 @@
 //! Eliminates unknowns that occur linearly by determinants.
 //!
-//! Let all equations be linear in the unknowns x, with coefficients that are polynomials in the
-//! others, y:
+//! Let m equations be linear in n unknowns x, with coefficients that are polynomials in the others,
+//! y:
 //!
 //! ```text
 //!           x_1  ..  x_n   1
 //!   f_1  [                     ]   [ x_1 ]
-//!    ..  [      A(y)     b(y)  ] * [  .. ]  =  0          m > n equations
+//!    ..  [      A(y)     b(y)  ] * [  .. ]  =  0          m >= n equations
 //!   f_m  [                     ]   [ x_n ]
 //!                                  [  1  ]
 //! ```
 //!
 //! The matrix has a null vector at a solution, so that all minors of n + 1 rows vanish: equations
-//! in y alone. The unknowns x follow from A(y) x + b(y) = 0 by least squares. (Relative pose with
+//! in y alone. In equations that are not linear in x, the unknowns are put as ratios of minors of
+//! the first n rows ([`super::cramer`]). The unknowns x follow from A(y) x + b(y) = 0 by least squares. (Relative pose with
 //! a known vertical direction: three equations, linear in the translation, give a quartic in the
 //! angle, see Fraundorfer, Tanskanen, Pollefeys, "A minimal case solution to the calibrated
 //! relative pose problem for the case of two known orientation angles", ECCV 2010.)
@@ -108,7 +109,8 @@ fn split(problem: &mut Problem, unknowns: &[usize]) -> Option<LinearBlock> {
             _ => others.push(equation),
         }
     }
-    let rows: Vec<Vec<SymbolicPolynomial>> = linear.iter().map(|equation| row(&equation.polynomial, unknowns)).collect();
+    let rows: Vec<Vec<SymbolicPolynomial>> =
+        linear.iter().map(|equation| row(&equation.polynomial, unknowns)).collect();
     if rows.iter().all(|row| row.last().is_none_or(SymbolicPolynomial::is_zero)) {
         return None;
     }
@@ -155,7 +157,10 @@ fn row(equation: &SymbolicPolynomial, unknowns: &[usize]) -> Vec<SymbolicPolynom
 
 /// All minors of as many rows as there are columns, with the first of their rows. Those of the
 /// first k columns, one for each set of k rows, are expanded along their last column.
-pub(super) fn minors(graph: &mut ExpressionGraph, rows: &[Vec<SymbolicPolynomial>]) -> Option<Vec<(usize, SymbolicPolynomial)>> {
+pub(super) fn minors(
+    graph: &mut ExpressionGraph,
+    rows: &[Vec<SymbolicPolynomial>],
+) -> Option<Vec<(usize, SymbolicPolynomial)>> {
     let columns = rows.first()?.len();
     let sets = |size: usize| (0u32..1 << rows.len()).filter(move |set| set.count_ones() as usize == size);
     if sets(columns).count() > MOST_MINORS {
@@ -324,17 +329,60 @@ mod tests {
         assert_eq!(MOST_LINEAR, eliminant::emitted::MOST_LINEAR);
     }
 
+    /// As many equations as unknowns, and one that is not linear in them: x = b / a there.
+    #[test]
+    fn ratios_of_minors_take_the_place_of_unknowns_elsewhere() {
+        let text = "fn sample(a: [[f64; 6]; 2], b: [f64; 4]) -> (x, u, v) {
+            for k in 0..2 {
+                (a[k][0] + a[k][1] * x) * u + (a[k][2] + x * x) * v == a[k][3] + a[k][4] * x;
+            }
+            b[0] * u * u * v + b[1] * x * u * v + b[2] * v == b[3];
+        }";
+        let reduced = reduced(text, 1);
+        let block = reduced.linear.as_ref().expect("a block");
+        assert_eq!((&reduced.kept[..], &block.unknowns[..]), (&[0][..], &[1, 2][..]));
+        let [equation] = &reduced.problem.equations[..] else { panic!("{}", reduced.problem.equations.len()) };
+        let original = Problem::parse("sample.rs", text).unwrap_or_else(|messages| panic!("{}", messages.render()));
+        for x in 2..8 {
+            let at = |p: &SymbolicPolynomial| value(&reduced.problem.graph, p, &[x, 0, 0]);
+            let rows: Vec<Vec<u32>> = block.rows.iter().map(|row| row.iter().map(at).collect()).collect();
+            let without = |column: usize| {
+                let row = |row: &Vec<u32>| [&row[..column], &row[column + 1..]].concat();
+                determinant(&rows.iter().map(row).collect::<Vec<_>>())
+            };
+            let inverse = F.inverse(without(2)).expect("the rows are independent");
+            let [u, v] = [without(0), F.neg(without(1))].map(|minor| F.mul(minor, inverse));
+            for (equation, is_zero) in original.equations.iter().zip([true, true, false]) {
+                let residual = value(&original.graph, &equation.polynomial, &[x, u, v]);
+                assert_eq!(residual == 0, is_zero, "{x}");
+                if !is_zero {
+                    // The equation is of degree 3 in u and v.
+                    assert_eq!(at(&reduced.problem.equations[0].polynomial), F.mul(residual, F.pow(without(2), 3)));
+                }
+            }
+        }
+        assert_eq!(equation.polynomial.degree(), 9);
+    }
+
+    /// An equation without the unknown stays, and the unknown follows from the other.
+    #[test]
+    fn as_many_equations_as_unknowns_determine_them() {
+        let text = "fn sample(a: [f64; 6]) -> (x, u) { a[0] * x * u + a[1] * u == a[2]; x * x == a[3]; }";
+        let reduced = reduced(text, 1);
+        assert_eq!((&reduced.kept[..], reduced.problem.equations.len()), (&[0][..], 1));
+        assert_eq!(reduced.linear.map(|block| (block.unknowns, block.rows.len())), Some((vec![1], 1)));
+    }
+
     #[test]
     fn what_cannot_be_eliminated_stays() {
-        let as_many = "fn sample(a: [f64; 6]) -> (x, u) { a[0] * x * u + a[1] * u == a[2]; x * x == a[3]; }";
-        let squares = "fn sample(a: [f64; 2]) -> (x, u) { x * u == a[0] + x; u * u + x * u == a[1]; }";
+        let squares = "fn sample(a: [f64; 2]) -> (x, u) { u * u * x == a[0] + x; u * u + x * u == a[1]; }";
         let homogeneous = "fn sample(a: [f64; 4]) -> (x, u) { x * u == a[0] * u; x * x * u == a[1] * u; }";
         let origin = "fn sample(a: [f64; 4]) -> (x, y, u) {
             x * u == a[0] * x + a[1] * y;
             y * u == a[2] * x;
             x * y == a[3] * y;
         }";
-        for (text, unknown) in [(as_many, 1), (squares, 1), (homogeneous, 1), (origin, 2)] {
+        for (text, unknown) in [(squares, 1), (homogeneous, 1), (origin, 2)] {
             let reduced = reduced(text, unknown);
             assert!(reduced.linear.is_none() && reduced.kept.contains(&usize::from(unknown)), "{text}");
         }

@@ -122,7 +122,7 @@ pub struct Recovery {
 /// ```text
 ///           x_1  ..  x_n   1
 ///   rows  [                     ]
-///         [      A         b    ]      more than n rows
+///         [      A         b    ]      n rows or more
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LinearBlock {

@@ -9,8 +9,8 @@ use nalgebra::{Matrix3, Vector2, Vector3};
 use super::cameras::{distorted, frame, image, in_ball, quaternion};
 use super::underwater::{Underwater, WATER};
 use super::{
-    KnownInstance, Make, Maker, View, coordinates, derived_null_space, projective_error, relative_error, uniform,
-    vector, weights,
+    KnownInstance, Make, Maker, View, combination, coordinates, derived_null_space, projective_error, relative_error,
+    uniform, vector, weights,
 };
 
 pub(super) fn makers() -> Vec<Maker> {
@@ -65,7 +65,11 @@ pub(super) fn makers() -> Vec<Maker> {
         Maker {
             name: "pose_5pt_refraction",
             make: Make::KnownPoints(through_water),
-            error: |_, solution, truth| projective_error(&vector(solution), &vector(truth)),
+            error: |data, solution, truth| {
+                let basis = derived_null_space(&refracted_rows(data));
+                let [solved, known] = [solution, truth].map(|x| combination(&basis, &vector(x)));
+                projective_error(&solved, &known)
+            },
         },
         Maker {
             name: "pose_6pt_rolling_shutter",
@@ -240,9 +244,30 @@ fn by_z(point: &Vector3<f64>) -> Vector3<f64> {
 
 /// A camera turned in any way looks into water.
 fn through_water(random: &mut Random, view: View) -> KnownInstance {
-    let Underwater { rotation, rays, points, .. } = Underwater::draw(random, view);
-    let data = rays.iter().chain(&points).flat_map(|x| x.data.0[0]).chain([WATER]).collect();
-    KnownInstance { data, truths: vec![coordinates(&quaternion(&rotation))] }
+    let Underwater { rotation, centre, rays, points } = Underwater::draw(random, view);
+    let data: Vec<f64> = rays.iter().chain(&points).flat_map(|x| x.data.0[0]).chain([WATER]).collect();
+    let foot = (centre.xy() - points[0].xy()) / unit_in_plane(&points);
+    let [first, second] = [0, 1].map(|row| rotation.row(row).transpose());
+    let moment = foot[0] * second - foot[1] * first;
+    let known: Vec<f64> = [first, second, moment].iter().flat_map(|x| x.data.0[0]).collect();
+    KnownInstance { truths: vec![coordinates(&weights(&derived_null_space(&refracted_rows(&data)), &known))], data }
+}
+
+/// The unit in which points seen through a plane are about 1 from the first, along the plane.
+fn unit_in_plane(points: &[Vector3<f64>]) -> f64 {
+    points.iter().map(|x| (x - points[0]).xy().norm_squared()).sum::<f64>().sqrt()
+}
+
+/// The equations of five rays and points for two rows of a rotation and their moment.
+fn refracted_rows(data: &[f64]) -> Vec<Vec<f64>> {
+    let vectors: Vec<Vector3<f64>> = data[..30].chunks(3).map(Vector3::from_column_slice).collect();
+    let (rays, points) = vectors.split_at(5);
+    let unit = unit_in_plane(points);
+    let row = |(ray, point): (&Vector3<f64>, &Vector3<f64>)| {
+        let (direction, offset) = (ray.normalize(), (point - points[0]) / unit);
+        [offset[1], -offset[0], 1.0].iter().flat_map(|factor| (*factor * direction).data.0[0]).collect()
+    };
+    rays.iter().zip(points).map(row).collect()
 }
 
 /// The image of a point in the row in which it is exposed, by the linearised model: q[0] (A + q[0]

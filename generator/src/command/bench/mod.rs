@@ -8,6 +8,7 @@ use std::fmt;
 use std::path::PathBuf;
 use std::time::Instant;
 
+use rayon::prelude::*;
 use serde::Serialize;
 
 use self::fit::{Fit, Sample};
@@ -17,28 +18,32 @@ use super::error::CommandError;
 use super::files::Loaded;
 use super::progress::bar;
 use super::report::{Output, seconds, table};
+use crate::algebra::Random;
 use crate::generate::generate;
+use crate::plan::Plan;
 use crate::plan::time::counts;
-use crate::search::measuring::{random_instance, stability};
+use crate::search::measuring::interpreted::InterpretedSolver;
+use crate::search::measuring::{in_pool, random_instance, seed_of, stability};
 
 /// Compile solvers and measure the time of a solve
 #[derive(clap::Args, Debug)]
 #[command(
     after_help = "Emits the solvers, compiles them in a crate of their own in a temporary folder, and runs them on instances drawn
-on the variety of the data. All solvers take turns in one process, so that a drifting clock hits all alike: several
+on the variety of the data, or on scenes. All solvers take turns in one process, so that a drifting clock hits all alike: several
 templates of one problem, in folders of their own, are compared with each other.
 
 Needs cargo, and the runtime crate `eliminant`: that of the checkout in which the first problem stands,
 that of --runtime, or else the published one of this version.
 
 Example:
-  eliminant bench problems/two_circles.rs smaller/two_circles.rs --instances 2000"
+  eliminant bench problems/two_circles.rs smaller/two_circles.rs --instances 2000
+  eliminant bench problems/two_circles.rs --scenes"
 )]
 pub(super) struct Arguments {
     /// The problem files, NAME.rs, each with its template NAME.template.toml beside it
     #[arg(required = true)]
     files: Vec<PathBuf>,
-    /// Number of random instances
+    /// Number of instances
     #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     instances: u64,
     /// Number of rounds; times are medians over them
@@ -47,6 +52,9 @@ pub(super) struct Arguments {
     /// Seed of the instances
     #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u64,
+    /// Solve scenes, which the function with `#[scene]` of each problem file draws, not random data
+    #[arg(long)]
+    scenes: bool,
     /// Fit the model by which the search predicts the time of a solve, and say how far it is off
     #[arg(long)]
     fit: bool,
@@ -59,6 +67,7 @@ pub(super) struct Arguments {
 struct BenchReport {
     solvers: Vec<SolverReport>,
     instances: u64,
+    scenes: bool,
     rounds: u64,
     seed: u64,
     /// The model of `--fit`.
@@ -106,7 +115,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
         let operations = plan.operations().total();
         let count = arguments.instances as usize;
         let counted = count.min((COUNTING_WORK / operations.max(1)).max(FEWEST_COUNTED));
-        let repeated = stability(plan, counted, arguments.seed).repeated as f64 / counted as f64;
+        let (repeated, instances) = match arguments.scenes {
+            false => (random_repeats(plan, counted, arguments.seed), random_instances(plan, count, arguments.seed)),
+            true => scenes(plan, count, arguments.seed)
+                .map(|scenes| (repeats(plan, &scenes[..counted]), scenes.concat()))
+                .ok_or_else(|| CommandError::NoScene { problem: file.clone() })?,
+        };
         all_counts.push(counts(plan, repeated));
         reports.push(SolverReport {
             file: file.display().to_string(),
@@ -128,7 +142,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
             parameters: plan.data.clone(),
             eigenvalues: plan.chains.is_none().then_some(template.basis.len()),
             count,
-            instances: (0..count).flat_map(|k| random_instance(plan, arguments.seed, k)).collect(),
+            instances,
         });
         progress.inc(1);
     }
@@ -144,11 +158,41 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     Ok(Output::of(&BenchReport {
         solvers: reports,
         instances: arguments.instances,
+        scenes: arguments.scenes,
         rounds: arguments.rounds,
         seed: arguments.seed,
         fit: arguments.fit.then(|| Fit::of(&samples)),
         seconds: start.elapsed().as_secs_f64(),
     }))
+}
+
+/// Random data, one instance after another.
+fn random_instances(plan: &Plan, count: usize, seed: u64) -> Vec<f64> {
+    (0..count).flat_map(|k| random_instance(plan, seed, k)).collect()
+}
+
+/// The data of scenes; `None` if the problem states none.
+fn scenes(plan: &Plan, count: usize, seed: u64) -> Option<Vec<Vec<f64>>> {
+    let scene = plan.scene.as_ref()?;
+    (0..count).map(|k| scene.draw(&mut Random::new(seed_of(seed, k))).map(|scene| scene.data)).collect()
+}
+
+/// The portion of so many random instances of which the complex solutions take a second attempt.
+fn random_repeats(plan: &Plan, count: usize, seed: u64) -> f64 {
+    stability(plan, count, seed).repeated as f64 / count as f64
+}
+
+/// The same of given instances.
+fn repeats(plan: &Plan, instances: &[Vec<f64>]) -> f64 {
+    let solver = InterpretedSolver::of(plan);
+    let is_repeated = |data: &Vec<f64>| {
+        solver.instance(data).is_ok_and(|mut instance| {
+            let _ = instance.solve_complex();
+            instance.attempts() > 1
+        })
+    };
+    let count = in_pool(|| instances.par_iter().filter(|data| is_repeated(data)).count());
+    count as f64 / instances.len() as f64
 }
 
 const HEAD: [&str; 16] = [
@@ -188,8 +232,11 @@ impl fmt::Display for BenchReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
-            "Nanoseconds per solve, medians of {} rounds of {} instances (seed {}):\n",
-            self.rounds, self.instances, self.seed
+            "Nanoseconds per solve, medians of {} rounds of {} {} (seed {}):\n",
+            self.rounds,
+            self.instances,
+            if self.scenes { "scenes" } else { "instances" },
+            self.seed
         )?;
         let rows: Vec<Vec<String>> = self.solvers.iter().map(SolverReport::cells).collect();
         write!(f, "{}", table(&HEAD, &rows, 2))?;
