@@ -191,8 +191,8 @@ pub struct PlannedRecovery {
     pub terms: Vec<Term>,
 }
 
-/// Unknowns x that follow together, by least squares, from A x + b = 0 with no fewer rows
-/// than unknowns. The entries are sums of terms in the unknowns that are read.
+/// Unknowns x that follow together, by least squares, from A x + b = 0 with no fewer rows than
+/// unknowns. The entries are sums of terms in the unknowns that are read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PlannedBlock {
     /// The unknowns that presolve eliminated.

@@ -19,7 +19,7 @@
 
 use std::collections::BTreeMap;
 
-use super::determinants::{minors, sum};
+use super::minors::{minors, sum};
 use super::reduced::MAX_TERMS;
 use crate::algebra::Monomial;
 use crate::expression::{ExpressionGraph, SignedProduct, SymbolicPolynomial};

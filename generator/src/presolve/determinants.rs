@@ -23,9 +23,10 @@
 //! Cayley's parameters, that is the denominator of the rotation.
 
 use super::cramer::ByDeterminants;
+use super::minors::minors;
 use super::reduced::{LinearBlock, MAX_TERMS, ReducedProblem};
 use crate::algebra::Monomial;
-use crate::expression::{ExpressionGraph, SignedProduct, SymbolicPolynomial};
+use crate::expression::{ExpressionGraph, SymbolicPolynomial};
 use crate::problem::{Problem, Statement};
 
 /// Unknowns that are eliminated together, at most: as many as the runtime solves for.
@@ -34,15 +35,9 @@ pub(crate) const MOST_LINEAR: usize = 4;
 /// Equations that they occur in, at most.
 const MOST_ROWS: usize = 8;
 
-/// Minors that take the place of these, at most.
-const MOST_MINORS: usize = 20;
-
-/// Products of so many terms are formed in loops.
-const LONG_PRODUCT: usize = 100;
-
-/// Eliminates the unknowns that occur linearly together with this one. Nothing changes where there
-/// are not more equations than such unknowns, where none is left, or where equations would become
-/// too long or vanish at the origin.
+/// Eliminates the unknowns that occur linearly together with this one. Nothing changes where fewer
+/// equations are linear in such unknowns than there are, where no unknown is left, or where
+/// equations would become too long or vanish at the origin.
 pub(super) fn eliminate_linear(reduced: &mut ReducedProblem, unknown: usize) {
     let unknowns = [Others::AreLinear, Others::AreAny].map(|others| linear_with(reduced, unknown, others));
     let Some(unknowns) = unknowns.into_iter().find(|unknowns| !unknowns.is_empty()) else { return };
@@ -153,51 +148,6 @@ fn row(equation: &SymbolicPolynomial, unknowns: &[usize]) -> Vec<SymbolicPolynom
         SymbolicPolynomial::from_terms(terms.map(|&(m, c)| (m.over(&x), c)).collect())
     };
     unknowns.iter().copied().map(Some).chain([None]).map(part).collect()
-}
-
-/// All minors of as many rows as there are columns, with the first of their rows. Those of the
-/// first k columns, one for each set of k rows, are expanded along their last column.
-pub(super) fn minors(
-    graph: &mut ExpressionGraph,
-    rows: &[Vec<SymbolicPolynomial>],
-) -> Option<Vec<(usize, SymbolicPolynomial)>> {
-    let columns = rows.first()?.len();
-    let sets = |size: usize| (0u32..1 << rows.len()).filter(move |set| set.count_ones() as usize == size);
-    if sets(columns).count() > MOST_MINORS {
-        return None;
-    }
-    let one = graph.term(ExpressionGraph::ONE, Monomial::ONE);
-    let mut minors: Vec<(u32, SymbolicPolynomial)> = vec![(0, one)];
-    for column in 0..columns {
-        let mut next = Vec::new();
-        for set in sets(column + 1) {
-            let members = (0..rows.len()).filter(|&row| set >> row & 1 == 1);
-            let products: Vec<SignedProduct<'_>> = members
-                .filter_map(|row| {
-                    let at = minors.binary_search_by_key(&(set & !(1 << row)), |&(set, _)| set).ok()?;
-                    let position = (set & ((1 << row) - 1)).count_ones() as usize;
-                    Some(((column + position) % 2 == 1, &rows[row][column], &minors[at].1))
-                })
-                .filter(|(_, entry, minor)| !entry.is_zero() && !minor.is_zero())
-                .collect();
-            next.push((set, sum(graph, &products)?));
-        }
-        minors = next;
-    }
-    Some(minors.into_iter().map(|(set, minor)| (set.trailing_zeros() as usize, minor)).collect())
-}
-
-/// The sum of products, as [`ExpressionGraph::polynomial_product_sum`] where factors are long.
-pub(super) fn sum(graph: &mut ExpressionGraph, products: &[SignedProduct<'_>]) -> Option<SymbolicPolynomial> {
-    if products.iter().any(|(_, entry, minor)| entry.terms().len() * minor.terms().len() >= LONG_PRODUCT) {
-        return graph.polynomial_product_sum(products);
-    }
-    products.iter().try_fold(SymbolicPolynomial::ZERO, |sum, (is_negative, entry, minor)| {
-        let product = graph.polynomial_mul(entry, minor)?;
-        let sum =
-            if *is_negative { graph.polynomial_sub(&sum, &product) } else { graph.polynomial_add(&sum, &product) };
-        (sum.terms().len() <= MAX_TERMS).then_some(sum)
-    })
 }
 
 /// A polynomial divided as often as it can be by a factor, if the leading coefficient of that is a

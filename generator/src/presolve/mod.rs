@@ -15,6 +15,7 @@ mod cramer;
 mod determinants;
 pub mod exchange;
 mod gauss_jordan;
+mod minors;
 pub(crate) mod pair;
 mod reduced;
 mod separate;

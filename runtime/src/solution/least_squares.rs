@@ -14,9 +14,9 @@ pub const MOST_LINEAR: usize = 4;
 ///         [      A         b    ]
 /// ```
 ///
-/// Columns are made orthogonal to those before them, one after another, b like the others
-/// (modified Gram-Schmidt without roots; Björck, "Solving linear least squares problems by
-/// Gram-Schmidt orthogonalization", BIT 7, 1967, formula 4): errors grow with the condition of A.
+/// Columns are made orthogonal to those before them, one after another, b like the others (modified
+/// Gram-Schmidt, here without roots; Higham, "Accuracy and Stability of Numerical Algorithms", 2002,
+/// section 20.3): errors grow with the condition of A, those of normal equations with its square.
 /// There are no pivots, so that several instances take the same steps. Where A x + b = 0 can be
 /// solved, complex numbers need no conjugates. Nothing is written if there are more than
 /// [`MOST_LINEAR`] unknowns, or no rows; the rows are overwritten.
