@@ -123,10 +123,24 @@ fn too_few_columns_are_refused_at_once() {
 #[test]
 fn without_finitely_many_zeros_there_is_no_trace() {
     // Where x is 0 all y are solutions, which the last statement excludes.
-    let (problem, count) =
-        read("fn axis(a: [f64; 3]) -> (x, y) { x * (y * y - a[0]) == 0; x * (x + a[1] * y - a[2]) == 0; x != 0; }");
-    assert_eq!(count.solutions, 2);
+    let text = "fn axis(a: [f64; 4]) -> (x, y) {
+        x * (y * y - a[0]) == 0;
+        x * (x * x + a[1] * x * y + a[2] * y * y - a[3]) == 0;
+        x != 0;
+    }";
+    let (problem, count) = read(text);
+    assert_eq!(count.solutions, 4);
     let found = traced_candidates(&problem, &count, &SearchOptions::default(), &Unmonitored);
     assert!(matches!(found, Err(SearchError::NotFound { .. })));
     assert!(candidates(&problem, &count, &SearchOptions::default(), &Unmonitored).is_ok());
+}
+
+/// The factor that must not vanish goes with the unknown that is eliminated.
+#[test]
+fn what_determinants_eliminate_leaves_finitely_many_zeros() {
+    let (problem, count) =
+        read("fn axis(a: [f64; 3]) -> (x, y) { x * (y * y - a[0]) == 0; x * (x + a[1] * y - a[2]) == 0; x != 0; }");
+    assert_eq!(count.solutions, 2);
+    let found = traced_candidates(&problem, &count, &SearchOptions::default(), &Unmonitored).unwrap();
+    assert!(found.candidates.iter().any(|found| (found.template.rows(), found.template.basis.len()) == (1, 2)));
 }
