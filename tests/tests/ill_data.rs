@@ -43,7 +43,7 @@ const ROUNDED: [&str; 3] = ["pose_1pt_2line", "pose_2pt_1line", "pose_4pt_focal"
 /// instances that are solved at the next exponents outside. A factor of the data is no factor of
 /// the equations: it moves the solutions, the monomials of the basis differ by powers of it, and an
 /// eigenvector in `f64` does not hold both.
-const UNITS: [(&str, i32, i32); 14] = [
+const UNITS: [(&str, i32, i32); 13] = [
     // 0.75 at 4.
     ("calibration_6_receivers_4_senders", -4, 2),
     // 0.35 at 8: images in another unit have another distortion.
@@ -53,8 +53,6 @@ const UNITS: [(&str, i32, i32); 14] = [
     // 3 of 5 at 6, and 0.76 at -10: images in another unit are other images.
     ("pose_3pt_upright_error_bound", -10, 4),
     ("pose_4pt_upright_error_bound", -8, 10),
-    // 0.91 at 8.
-    ("pose_6pt_rolling_shutter", -8, 6),
     // 0.04 at 4: the mean of 1 stays 1, so that the square of the points' mean outgrows the means
     // of their squares.
     ("pose_npt_least_squares_quaternion", -10, 2),

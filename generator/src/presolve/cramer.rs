@@ -42,7 +42,7 @@ impl<'a> ByDeterminants<'a> {
         rows: &[Vec<SymbolicPolynomial>],
     ) -> Option<Self> {
         let n = unknowns.len();
-        // The minors of n rows of the transposed matrix, from all but the last to all but the first.
+        // The minors of n rows of the transposed matrix: all but the last come first.
         let columns: Vec<Vec<SymbolicPolynomial>> =
             (0..=n).map(|column| rows.iter().map(|row| row[column].clone()).collect()).collect();
         let mut minors: Vec<SymbolicPolynomial> =

@@ -13,10 +13,11 @@
 //!
 //! The matrix has a null vector at a solution, so that all minors of n + 1 rows vanish: equations
 //! in y alone. In equations that are not linear in x, the unknowns are put as ratios of minors of
-//! the first n rows ([`super::cramer`]). The unknowns x follow from A(y) x + b(y) = 0 by least squares. (Relative pose with
-//! a known vertical direction: three equations, linear in the translation, give a quartic in the
-//! angle, see Fraundorfer, Tanskanen, Pollefeys, "A minimal case solution to the calibrated
-//! relative pose problem for the case of two known orientation angles", ECCV 2010.)
+//! the first n rows ([`super::cramer`]). The unknowns x follow from A(y) x + b(y) = 0 by least
+//! squares. (Relative pose with a known vertical direction: three equations, linear in the
+//! translation, give a quartic in the angle, see Fraundorfer, Tanskanen, Pollefeys, "A minimal case
+//! solution to the calibrated relative pose problem for the case of two known orientation angles",
+//! ECCV 2010.)
 //!
 //! Minors vanish, too, where A(y) alone is singular. Such points belong to no solution. A factor
 //! that must not vanish at one is divided out: where x is a translation and y a rotation by

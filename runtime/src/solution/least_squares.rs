@@ -5,8 +5,8 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// Larger systems are not solved.
 pub const MOST_LINEAR: usize = 4;
 
-/// The x with the least sum of squares of A x + b. A is m x n, and its rows come with their entry of
-/// b:
+/// The x with the least sum of squares of A x + b. A is m x n, and its rows come with their entry
+/// of b:
 ///
 /// ```text
 ///           x_1  ..  x_n   1
@@ -14,9 +14,10 @@ pub const MOST_LINEAR: usize = 4;
 ///         [      A         b    ]
 /// ```
 ///
-/// Columns are made orthogonal to those before them, one after another, b like the others (modified
-/// Gram-Schmidt, here without roots; Higham, "Accuracy and Stability of Numerical Algorithms", 2002,
-/// section 20.3): errors grow with the condition of A, those of normal equations with its square.
+/// Columns are made orthogonal to those before them, one after another, b like the others
+/// (modified Gram-Schmidt, here without roots; Higham, "Accuracy and Stability of Numerical
+/// Algorithms", 2002, section 20.3): errors grow with the condition of A, those of normal equations
+/// with its square.
 /// There are no pivots, so that several instances take the same steps. Where A x + b = 0 can be
 /// solved, complex numbers need no conjugates. Nothing is written if there are more than
 /// [`MOST_LINEAR`] unknowns, or no rows; the rows are overwritten.
