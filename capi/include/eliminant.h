@@ -1458,7 +1458,7 @@ uint64_t eliminant_pose_4pt_upright_error_bound_second_attempt_operations(void);
  * pose_5pt_refraction
  *
  * Pose of a calibrated camera that looks at five points through a plane at which light is
- * refracted: 16 solutions.
+ * refracted: 8 solutions.
  *
  * Haner, Åström, "Absolute pose for cameras under flat refractive interfaces", CVPR 2015.
  * Published as `refract5p`.
@@ -1468,23 +1468,27 @@ uint64_t eliminant_pose_4pt_upright_error_bound_second_attempt_operations(void);
  * index of refraction on the side of the points, relative to that on the side of the camera.
  * Refraction keeps a ray in its plane with the normal, so that R ray and the point X minus the
  * centre (v, w, ..) of the camera are parallel in their first two coordinates:
- * (r1 ray) (X2 - w) - (r2 ray) (X1 - v) = 0 with the rows r1, r2, r3 of R, that of the quaternion.
- * This is linear in r1, r2 and u = v r2 - w r1. Five such equations are combined so that u
- * vanishes; otherwise they give u, which is across r3. Of a rotation and the same turned by a half
- * about the normal one has the points ahead of the camera.
+ * (r1 ray) (X2 - w) - (r2 ray) (X1 - v) = 0 with the rows r1, r2, r3 of R. This is linear in r1,
+ * r2 and u = v r2 - w r1, so these are a sum of four vectors, each times its weight. r1 and r2
+ * have one length and are orthogonal, and u is in their plane: the determinant is 0. Four complex
+ * solutions with r1 and r2 of length 0 satisfy that for any u. They are none of the other form, in
+ * which u is the sum of its parts along r1 and r2. The two together are all cubic equations.
  *
- * `rotation` takes rays to the frame of the points, and `centre` is that of the camera. Its height
- * follows from how much the rays are bent, by least squares.
+ * The published system is stated in a quaternion and has 16 solutions: with (r1, r2, r3) also
+ * (-r1, -r2, r3), the same turned by a half about the normal. Both have the same weights here, up
+ * to sign. Of the two, `rotation` is the one with the points ahead of the camera. It takes rays to
+ * the frame of the points, and `centre` is that of the camera. Its height follows from how much
+ * the rays are bent, by least squares.
  *
  * Data: rays[5][3], points[5][3], index.
- * A row of 4 numbers, the unknowns: quaternion[4] (given up to scale: of length 1).
+ * A row of 4 numbers, the unknowns: weights[4] (given up to scale: of length 1).
  * A row of 12 numbers, the result refracted_pose: rotation[3][3], centre[3].
  */
 #define ELIMINANT_POSE_5PT_REFRACTION_RAYS_LENGTH 15
 #define ELIMINANT_POSE_5PT_REFRACTION_POINTS_LENGTH 15
 #define ELIMINANT_POSE_5PT_REFRACTION_UNKNOWNS 4
 #define ELIMINANT_POSE_5PT_REFRACTION_LENGTH_OF_REFRACTED_POSE 12
-#define ELIMINANT_POSE_5PT_REFRACTION_MAX_SOLUTIONS 16
+#define ELIMINANT_POSE_5PT_REFRACTION_MAX_SOLUTIONS 8
 int32_t eliminant_pose_5pt_refraction_solve(
     const double *rays, size_t rays_length, const double *points, size_t points_length,
     double index, double *solutions, size_t capacity, size_t *count);

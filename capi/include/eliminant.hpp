@@ -3494,7 +3494,7 @@ inline void solve_batch_for_pose(
 } // namespace pose_4pt_upright_error_bound
 
 /// Pose of a calibrated camera that looks at five points through a plane at which light is
-/// refracted: 16 solutions.
+/// refracted: 8 solutions.
 ///
 /// Haner, Åström, "Absolute pose for cameras under flat refractive interfaces", CVPR 2015.
 /// Published as `refract5p`.
@@ -3504,21 +3504,25 @@ inline void solve_batch_for_pose(
 /// index of refraction on the side of the points, relative to that on the side of the camera.
 /// Refraction keeps a ray in its plane with the normal, so that R ray and the point X minus the
 /// centre (v, w, ..) of the camera are parallel in their first two coordinates:
-/// (r1 ray) (X2 - w) - (r2 ray) (X1 - v) = 0 with the rows r1, r2, r3 of R, that of the quaternion.
-/// This is linear in r1, r2 and u = v r2 - w r1. Five such equations are combined so that u
-/// vanishes; otherwise they give u, which is across r3. Of a rotation and the same turned by a half
-/// about the normal one has the points ahead of the camera.
+/// (r1 ray) (X2 - w) - (r2 ray) (X1 - v) = 0 with the rows r1, r2, r3 of R. This is linear in r1,
+/// r2 and u = v r2 - w r1, so these are a sum of four vectors, each times its weight. r1 and r2
+/// have one length and are orthogonal, and u is in their plane: the determinant is 0. Four complex
+/// solutions with r1 and r2 of length 0 satisfy that for any u. They are none of the other form, in
+/// which u is the sum of its parts along r1 and r2. The two together are all cubic equations.
 ///
-/// `rotation` takes rays to the frame of the points, and `centre` is that of the camera. Its height
-/// follows from how much the rays are bent, by least squares.
+/// The published system is stated in a quaternion and has 16 solutions: with (r1, r2, r3) also
+/// (-r1, -r2, r3), the same turned by a half about the normal. Both have the same weights here, up
+/// to sign. Of the two, `rotation` is the one with the points ahead of the camera. It takes rays to
+/// the frame of the points, and `centre` is that of the camera. Its height follows from how much
+/// the rays are bent, by least squares.
 namespace pose_5pt_refraction {
 
 /// No call returns more solutions.
-inline constexpr std::size_t max_solutions = 16;
+inline constexpr std::size_t max_solutions = 8;
 
 /// A solution of `pose_5pt_refraction`.
 struct Solution {
-    std::array<double, 4> quaternion; ///< given up to scale: of length 1
+    std::array<double, 4> weights; ///< given up to scale: of length 1
 };
 static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
 
