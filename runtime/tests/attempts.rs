@@ -204,6 +204,25 @@ fn are_numbers(found: &[f64], expected: &[f64]) -> bool {
 }
 
 /// One polish per real eigenvalue and per conjugate pair; real solves leave the pairs alone.
+/// A point whose residual stays above rounding may stand for a solution that is missing. With no
+/// other there, it is taken after all.
+#[test]
+fn stalled_points_take_a_second_attempt() {
+    for (residual, attempts) in [(1e-13, 1), (1e-11, 2)] {
+        let made = || {
+            let at_two = move |x: Complex<f64>| if (x.re - 2.0).abs() < 0.5 { residual } else { 0.0 };
+            Listed::<3, 3>::new([1.0, 2.0, 3.0].map(Complex::from), move |x, _, _| at_two(x))
+        };
+        let mut problem = made();
+        assert_eq!((problem.complex().0.len(), problem.attempts), (3, attempts), "{residual:e}");
+        let mut problem = made();
+        assert_eq!((problem.real().0.len(), problem.attempts), (3, attempts), "{residual:e}");
+        let mut once = made();
+        once.second_attempts = SecondAttempts::Never;
+        assert_eq!((once.complex().0.len(), once.attempts), (3, 1), "{residual:e}");
+    }
+}
+
 #[test]
 fn each_eigenpair_is_polished_once() {
     for is_singular in [false, true] {

@@ -78,6 +78,15 @@ mod tests {
         }
     }
 
+    /// The product of this matrix and its transpose is singular in `f64` (Läuchli 1961).
+    #[test]
+    fn columns_may_be_nearly_dependent() {
+        let e = 1e-9;
+        let mut x = [0.0; 2];
+        least_squares(&mut [1.0, 1.0, -3.0, e, 0.0, -e, 0.0, e, -2.0 * e], &mut x);
+        assert!((x[0] - 1.0).abs() < 1e-6 && (x[1] - 2.0).abs() < 1e-6, "{x:?}");
+    }
+
     #[test]
     fn what_cannot_be_solved_is_fitted() {
         // x = 1, 2 and 6: their mean.
