@@ -82,7 +82,7 @@ mod tests {
     #[test]
     fn columns_may_be_nearly_dependent() {
         let e = 1e-9;
-        let mut x = [0.0; 2];
+        let mut x = [0.0_f64; 2];
         least_squares(&mut [1.0, 1.0, -3.0, e, 0.0, -e, 0.0, e, -2.0 * e], &mut x);
         assert!((x[0] - 1.0).abs() < 1e-6 && (x[1] - 2.0).abs() < 1e-6, "{x:?}");
     }
