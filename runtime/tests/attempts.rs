@@ -203,26 +203,27 @@ fn are_numbers(found: &[f64], expected: &[f64]) -> bool {
     agree(found, expected, |x, y| (x - y).abs())
 }
 
-/// One polish per real eigenvalue and per conjugate pair; real solves leave the pairs alone.
 /// A point whose residual stays above rounding may stand for a solution that is missing. With no
 /// other there, it is taken after all.
 #[test]
 fn stalled_points_take_a_second_attempt() {
     for (residual, attempts) in [(1e-13, 1), (1e-11, 2)] {
-        let made = || {
-            let at_two = move |x: Complex<f64>| if (x.re - 2.0).abs() < 0.5 { residual } else { 0.0 };
-            Listed::<3, 3>::new([1.0, 2.0, 3.0].map(Complex::from), move |x, _, _| at_two(x))
-        };
+        let at_two = move |x: Complex<f64>| if (x.re - 2.0).abs() < 0.5 { residual } else { 0.0 };
+        let made = || Listed::<3, 3>::new([1.0, 2.0, 3.0].map(Complex::from), move |x, _, _| at_two(x));
         let mut problem = made();
         assert_eq!((problem.complex().0.len(), problem.attempts), (3, attempts), "{residual:e}");
         let mut problem = made();
         assert_eq!((problem.real().0.len(), problem.attempts), (3, attempts), "{residual:e}");
+        let four = [c(0.7, 0.0), c(2.0, 0.0), c(3.0, 2.0), c(3.0, -2.0)];
+        let mut problem = Listed::<4, 4>::new(four, move |x, _, _| at_two(x));
+        assert_eq!((real_solutions_by_determinant(&mut problem).unwrap().len(), problem.attempts), (2, attempts));
         let mut once = made();
         once.second_attempts = SecondAttempts::Never;
         assert_eq!((once.complex().0.len(), once.attempts), (3, 1), "{residual:e}");
     }
 }
 
+/// One polish per real eigenvalue and per conjugate pair; real solves leave the pairs alone.
 #[test]
 fn each_eigenpair_is_polished_once() {
     for is_singular in [false, true] {

@@ -79,7 +79,7 @@ impl<'a> ByDeterminants<'a> {
         sum(graph, &signed)
     }
 
-    /// The product of powers of the determinants.
+    /// The product of powers of the determinants; `None` if it grows too long.
     fn product(&mut self, graph: &mut ExpressionGraph, powers: &[u8]) -> Option<SymbolicPolynomial> {
         if let Some(known) = self.products.get(powers) {
             return Some(known.clone());
@@ -90,7 +90,8 @@ impl<'a> ByDeterminants<'a> {
                 let mut lower = powers.to_vec();
                 lower[at] -= 1;
                 let rest = self.product(graph, &lower)?;
-                sum(graph, &[(false, &self.minors[at], &rest)])?
+                let product = sum(graph, &[(false, &self.minors[at], &rest)])?;
+                (product.terms().len() <= MAX_TERMS).then_some(product)?
             }
         };
         self.products.insert(powers.to_vec(), product.clone());

@@ -333,7 +333,15 @@ mod tests {
             y * u == a[2] * x;
             x * y == a[3] * y;
         }";
-        for (text, unknown) in [(squares, 1), (homogeneous, 1), (origin, 2)] {
+        // The square of a determinant of 495 terms has 12,870.
+        let names = ["b", "c", "d", "e", "f", "g", "h", "i", "j"];
+        let others = names[1..].iter().map(|x| format!("{x} * {x} == 2;")).collect::<String>();
+        let sum = names.join(" + ");
+        let long = format!(
+            "fn long() -> ({}, u) {{ ({sum}).pow(4) * u == b + 1; u * u == c + 2; {others} }}",
+            names.join(", ")
+        );
+        for (text, unknown) in [(squares, 1), (homogeneous, 1), (origin, 2), (&long, 9)] {
             let reduced = reduced(text, unknown);
             assert!(reduced.linear.is_none() && reduced.kept.contains(&usize::from(unknown)), "{text}");
         }

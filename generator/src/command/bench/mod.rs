@@ -23,7 +23,7 @@ use crate::generate::generate;
 use crate::plan::Plan;
 use crate::plan::time::counts;
 use crate::search::measuring::interpreted::InterpretedSolver;
-use crate::search::measuring::{in_pool, random_instance, seed_of, stability};
+use crate::search::measuring::{in_pool, random_instance, seed_of};
 
 /// Compile solvers and measure the time of a solve
 #[derive(clap::Args, Debug)]
@@ -115,12 +115,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
         let operations = plan.operations().total();
         let count = arguments.instances as usize;
         let counted = count.min((COUNTING_WORK / operations.max(1)).max(FEWEST_COUNTED));
-        let (repeated, instances) = match arguments.scenes {
-            false => (random_repeats(plan, counted, arguments.seed), random_instances(plan, count, arguments.seed)),
-            true => scenes(plan, count, arguments.seed)
-                .map(|scenes| (repeats(plan, &scenes[..counted]), scenes.concat()))
-                .ok_or_else(|| CommandError::NoScene { problem: file.clone() })?,
+        let instances: Vec<Vec<f64>> = match arguments.scenes {
+            false => (0..count).map(|k| random_instance(plan, arguments.seed, k)).collect(),
+            true => {
+                scenes(plan, count, arguments.seed).ok_or_else(|| CommandError::NoScene { problem: file.clone() })?
+            }
         };
+        let repeated = repeats(plan, &instances[..counted]);
         all_counts.push(counts(plan, repeated));
         reports.push(SolverReport {
             file: file.display().to_string(),
@@ -142,7 +143,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
             parameters: plan.data.clone(),
             eigenvalues: plan.chains.is_none().then_some(template.basis.len()),
             count,
-            instances,
+            instances: instances.concat(),
         });
         progress.inc(1);
     }
@@ -166,23 +167,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     }))
 }
 
-/// Random data, one instance after another.
-fn random_instances(plan: &Plan, count: usize, seed: u64) -> Vec<f64> {
-    (0..count).flat_map(|k| random_instance(plan, seed, k)).collect()
-}
-
 /// The data of scenes; `None` if the problem states none.
 fn scenes(plan: &Plan, count: usize, seed: u64) -> Option<Vec<Vec<f64>>> {
     let scene = plan.scene.as_ref()?;
     (0..count).map(|k| scene.draw(&mut Random::new(seed_of(seed, k))).map(|scene| scene.data)).collect()
 }
 
-/// The portion of so many random instances of which the complex solutions take a second attempt.
-fn random_repeats(plan: &Plan, count: usize, seed: u64) -> f64 {
-    stability(plan, count, seed).repeated as f64 / count as f64
-}
-
-/// The same of given instances.
+/// The portion of instances of which the complex solutions take a second attempt.
 fn repeats(plan: &Plan, instances: &[Vec<f64>]) -> f64 {
     let solver = InterpretedSolver::of(plan);
     let is_repeated = |data: &Vec<f64>| {
